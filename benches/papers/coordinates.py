@@ -107,6 +107,9 @@ def membrane():
 
 
 def requests():
+    def film(boundary, **more):
+        return {"kind": "minimal_surface", "boundaries": [boundary], **more}
+
     def films(boundaries, **more):
         return {"kind": "minimal_surface", "boundaries": boundaries, "boundary_sampling": "keep", **more}
 
@@ -117,15 +120,18 @@ def requests():
     yield "ccz-8-bottom", films([lobes(97, 18, 2, 5)], resolution={"triangles": 1455})
     yield "ccz-4", films([banana()], resolution={"triangles": 960})
     yield "ccz-9", films([circle(72, 1.2, 0), upper], resolution={"triangles": 1152})
-    yield "lw-6", films([rim(helicoid, (0.5, 2), (-PI / 3, PI / 3), 7, 7)], resolution={"interior_vertices": 20})
-    yield "lw-7", films([rim(catenoid, (PI / 4, 3 * PI / 4), (-0.4, 0.4), 6, 6)], resolution={"interior_vertices": 25})
+    yield "lw-6", film(rim(helicoid, (0.5, 2), (-PI / 3, PI / 3), 7, 7), resolution={"interior_vertices": 20})
+    yield "lw-7", film(rim(catenoid, (PI / 4, 3 * PI / 4), (-0.4, 0.4), 6, 6), resolution={"interior_vertices": 25})
     for b in (0.4, 1, 4.9):
         for sides, interior in ((5, 16), (6, 20), (8, 30)):
-            yield f"lw-8-b{b}-{4 * sides}", films([scherk(b, sides)], resolution={"interior_vertices": interior})
-    yield "lw-9", films([membrane()], resolution={"interior_vertices": 4})
+            yield f"lw-8-b{b}-{4 * sides}", film(scherk(b, sides), resolution={"interior_vertices": interior})
+    yield "lw-9", film(membrane(), resolution={"interior_vertices": 4})
     yield "bc-6", films([circle(36, 10, 0), circle(36, 10, 12)], resolution={"triangles": 576})
     yield "bc-7", films([circle(36, 10, 0), circle(36, 10, 14)], resolution={"triangles": 576})
-
+    without_rules = {"solver": "pinkall_polthier", "topology": "free", "linear_solver": "conjugate_gradients",
+                     "initial_mesh": "rings", "degenerate_angle_deg": 0, "area_tolerance": 0, "tolerance": 0,
+                     "max_iterations": 200}
+    yield "bc-8", films([circle(36, 10, 0), circle(36, 10, 14)], **without_rules, resolution={"triangles": 576})
 
     strips = {"kind": "ruled_surface"}
     rails, normals = shoe()

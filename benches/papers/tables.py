@@ -196,31 +196,32 @@ def liu_wang():
 
 
 def bento_cavalcanti():
+    def row(shown, rules, linear, request):
+        statistics, found = film(request)
+        angles = found["shape"]["angles_deg"]
+        return [shown, rules, linear, str(statistics["iterations"]), statistics["stop_reason"],
+                str(statistics["components"]), f"{found['shape']['area']:.4f}", str(statistics["triangles"]),
+                f"{angles['min']:.1f}° to {angles['max']:.1f}°", str(statistics["degenerate_triangles"])]
+
     def rings():
         for figure, name, rules in [("Fig. 6", "bc-6", 1), ("Fig. 7", "bc-7", 1), ("Fig. 8", "bc-7", 0)]:
-            gap = made(name)["boundaries"][1][0][2]
+            shown = f"{figure}: rings {made(name)['boundaries'][1][0][2]} apart"
             for linear in ("direct", "conjugate_gradients"):
-                request = made(name, solver="pinkall_polthier", topology="free", initial_mesh="rings", tolerance=0,
-                               linear_solver=linear, degenerate_angle_deg=rules, max_iterations=200,
-                               area_tolerance=1e-6 if rules else 0)
-                statistics, found = film(request)
-                yield [f"{figure}: rings {gap} apart", "on" if rules else "off", linear, str(statistics["iterations"]),
-                       statistics["stop_reason"], str(statistics["components"]), f"{found['shape']['area']:.4f}",
-                       str(statistics["degenerate_triangles"])]
+                yield row(shown, "on" if rules else "off", linear, made(
+                    name, solver="pinkall_polthier", topology="free", initial_mesh="rings", tolerance=0,
+                    linear_solver=linear, degenerate_angle_deg=rules, max_iterations=200, area_tolerance=1e-6 if rules else 0))
             if rules:
-                statistics, found = film(made(name, topology="free"))
-                yield [f"{figure}: rings {gap} apart", "", "**default**", str(statistics["iterations"]),
-                       statistics["stop_reason"], str(statistics["components"]), f"{found['shape']['area']:.4f}",
-                       str(statistics["degenerate_triangles"])]
-        statistics, found = film(example("cut-cylinder"))
-        yield ["Fig. 9: cut cylinder", "on", "direct", str(statistics["iterations"]), statistics["stop_reason"],
-               str(statistics["components"]), f"{found['shape']['area']:.4f}", str(statistics["degenerate_triangles"])]
+                yield row(shown, "", "**default**", made(name, topology="free"))
+        shown = "Fig. 9: cut cylinder"
+        for linear in ("direct", "conjugate_gradients"):
+            yield row(shown, "on", linear, example("cut-cylinder", linear_solver=linear))
+        yield row(shown, "off", "direct", example("cut-cylinder", degenerate_angle_deg=0))
         kept = ("kind", "units", "boundaries", "boundary_sampling", "initial_mesh", "resolution")
-        statistics, found = film({key: value for key, value in example("cut-cylinder").items() if key in kept})
-        yield ["Fig. 9: cut cylinder", "", "**default**", str(statistics["iterations"]), statistics["stop_reason"],
-               str(statistics["components"]), f"{found['shape']['area']:.4f}", str(statistics["degenerate_triangles"])]
+        plain = {key: value for key, value in example("cut-cylinder").items() if key in kept}
+        yield row(shown, "", "**default**", plain)
 
-    table(["example", "rules", "linear solver", "steps", "stopped by", "components", "area", "degenerate triangles"], rings())
+    table(["example", "rules", "linear solver", "steps", "stopped by", "components", "area", "triangles", "angles",
+           "degenerate triangles"], rings())
 
     def best():
         for name in ("rings-12-best", "rings-14-best", "three-rings", "tetrahedron-loops", "nested-loops"):

@@ -2167,9 +2167,9 @@ export interface components {
              */
             components: number;
             /**
-             * @description Whether the solver met its own rule, and no triangle is flipped or degenerate. The rule is `tolerance` for
-             *     `newton`, `area_tolerance` for `vertex_relaxation`, either of the two for `pinkall_polthier`, and
-             *     `least_squares_tolerance` for `minimal_mean_curvature`.
+             * @description Whether the solver met its own rule, the mean curvature is within `curvature_tolerance`, and no triangle is
+             *     flipped or degenerate. The rule is `tolerance` for `newton`, `area_tolerance` for `vertex_relaxation`, either of
+             *     the two for `pinkall_polthier`, and `least_squares_tolerance` for `minimal_mean_curvature`.
              */
             converged: boolean;
             /**
@@ -2356,6 +2356,14 @@ export interface components {
             constraints?: components["schemas"]["Constraints"] | null;
             /**
              * Format: double
+             * @description Bound on `statistics.mean_curvature.max`, in 1/unit. A solver that has met its own tolerance goes on until the
+             *     film is within the bound: `newton` moves the vertices along the film, down to angles of 10 degrees, and the
+             *     others iterate. A film that is not within it in the end has `converged: false` and the warning `not_converged`.
+             *     Null means no bound. Only with `objective: minimal_area`.
+             */
+            curvature_tolerance?: number | null;
+            /**
+             * Format: double
              * @description Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
              *     angle. 0 removes none. Default: `1.0`. Only with `objective: minimal_area` and `solver: pinkall_polthier`, or `objective: minimal_area` and `topology: free`.
              */
@@ -2470,6 +2478,14 @@ export interface components {
              *     boundary.
              */
             constraints?: components["schemas"]["Constraints"] | null;
+            /**
+             * Format: double
+             * @description Bound on `statistics.mean_curvature.max`, in 1/unit. A solver that has met its own tolerance goes on until the
+             *     film is within the bound: `newton` moves the vertices along the film, down to angles of 10 degrees, and the
+             *     others iterate. A film that is not within it in the end has `converged: false` and the warning `not_converged`.
+             *     Null means no bound. Only with `objective: minimal_area`.
+             */
+            curvature_tolerance?: number | null;
             /**
              * Format: double
              * @description Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller

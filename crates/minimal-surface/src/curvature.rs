@@ -29,6 +29,11 @@ pub struct Curvature {
 const ROUNDING: f64 = 8.0;
 
 impl Curvature {
+    /// The largest mean curvature, in 1/unit.
+    pub(super) fn largest(&self) -> f64 {
+        self.mean_curvature.iter().copied().fold(0.0, f64::max)
+    }
+
     /// Measures a film. The field `residual_felt` is the residual of [`film_state`], which also ends Newton's
     /// iteration.
     pub(crate) fn of(film: &Film) -> Self {

@@ -83,7 +83,7 @@ pub use outcome::{ConstraintVertices, MinimalSurface};
 pub use run::{ExtrapolatedArea, HistoryRow, SpanningComparison, SpanningTopology, Stability, StabilityMethod};
 pub use statistics::{MeanCurvature, Statistics};
 
-use drivers::{best_topology, free_topology, nested};
+use drivers::{best_topology, curvature_bound, free_topology, nested};
 use outcome::finish;
 use plateau_equilibrium::form_finding::StopReason;
 use plateau_mesh::complex::has_junctions;
@@ -169,6 +169,9 @@ fn solve_input(input: Input, options: &Options, exec: &Execution) -> Result<Mini
         && let Some(other) = other_start(boundaries, options, &solved, exec)?
     {
         solved = other;
+    }
+    if let (Some(bound), Method::Newton(_)) = (options.curvature_tolerance, &options.method) {
+        curvature_bound::reach(&mut solved.film, &mut solved.run, bound, options.limits(), exec)?;
     }
     if let Some(joined) = &joined {
         joined.restore(&mut solved, &input);

@@ -440,6 +440,10 @@ pub struct Options {
     /// solver and Pinkall and Polthier's solver count as converged. If a solver stops by its own rule at a film of
     /// least area with a larger residual, the film carries the warning `not_minimal`.
     pub tolerance: f64,
+    /// Bound on the largest mean curvature ([`MeanCurvature::max`](super::MeanCurvature), in 1/unit) of a film of least
+    /// area. A solver that has met its own rule goes on until the film is within the bound. A film that is not within
+    /// it in the end has not converged. `None` stands for no bound.
+    pub curvature_tolerance: Option<f64>,
     /// Largest number of iterations. `None` stands for the default of the solver: 10,000 sweeps of vertex relaxation,
     /// 200 linear solves, or 500 steps of Levenberg and Marquardt.
     pub max_iterations: Option<u32>,
@@ -454,8 +458,17 @@ pub struct Options {
 pub(crate) struct Limits {
     /// The residual at which the surface counts as converged.
     pub tolerance: f64,
+    /// The largest mean curvature within which the film has to be, in 1/unit.
+    pub curvature_tolerance: Option<f64>,
     /// Largest number of iterations. `None` stands for the default of the solver.
     pub max_iterations: Option<u32>,
+}
+
+impl Limits {
+    /// Whether a film of this largest mean curvature, which has met the solver's own rule, may end the solve.
+    pub fn allow(&self, curvature: f64) -> bool {
+        self.curvature_tolerance.is_none_or(|bound| curvature <= bound)
+    }
 }
 
 impl Options {
@@ -470,13 +483,18 @@ impl Options {
             initial_mesh: InitialMesh::default(),
             constraints: Constraints::default(),
             tolerance: 1e-6,
+            curvature_tolerance: None,
             max_iterations: None,
             slides: true,
         }
     }
 
     pub(crate) fn limits(&self) -> Limits {
-        Limits { tolerance: self.tolerance, max_iterations: self.max_iterations }
+        Limits {
+            tolerance: self.tolerance,
+            curvature_tolerance: self.curvature_tolerance,
+            max_iterations: self.max_iterations,
+        }
     }
 
     /// Whether remeshing may add points on the boundaries.
@@ -523,6 +541,7 @@ impl Options {
     pub(crate) fn check(&self) -> Vec<InputError> {
         let mut errors = Vec::new();
         let mut tolerances = vec![("tolerance", self.tolerance)];
+        tolerances.extend(self.curvature_tolerance.map(|bound| ("curvature_tolerance", bound)));
         let degenerate_angle = match &self.method {
             Method::Newton(Newton { topology: TopologyRule::Free(free), .. }) => free.degenerate_angle,
             Method::Newton(_) | Method::Harmonic => None,

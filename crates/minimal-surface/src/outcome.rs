@@ -225,7 +225,7 @@ fn of_statistics(statistics: &Statistics, measured: &Curvature, options: &Option
         }
     }
     if !statistics.converged {
-        warnings.push(statistics.not_converged(measured.residual_felt, options.tolerance));
+        warnings.push(statistics.not_converged(measured.residual_felt, options));
     }
     warnings.extend(not_minimal(statistics, measured, options.tolerance));
     if let Some(stability) = statistics.stability {

@@ -6,3 +6,4 @@ pub(super) mod liu_wang;
 pub(super) mod necks;
 pub(super) mod newton;
 pub(super) mod pinkall_polthier;
+pub(super) mod unfolding;

@@ -66,8 +66,8 @@ pub struct Statistics {
     pub residual: f64,
     /// The residual with the whole gradient in place of its normal part.
     pub residual_full: f64,
-    /// Whether the solver met its own rule and no triangle is flipped or degenerate. The rule of the default solver is
-    /// that the residual is at most the tolerance.
+    /// Whether the solver met its own rule, the mean curvature is within [`Options::curvature_tolerance`], and no
+    /// triangle is flipped or degenerate. The rule of the default solver is that the residual is at most the tolerance.
     pub converged: bool,
     /// Why the solver stopped.
     pub stop_reason: StopReason,
@@ -107,7 +107,8 @@ impl MeanCurvature {
 impl Statistics {
     /// Returns the warning that the surface does not count as converged, with the reasons. `residual_felt` is the
     /// residual that the solvers compare with their tolerance (see [`Curvature`]).
-    pub(super) fn not_converged(&self, residual_felt: f64, tolerance: f64) -> Warning {
+    pub(super) fn not_converged(&self, residual_felt: f64, options: &Options) -> Warning {
+        let tolerance = options.tolerance;
         let mut reasons = Vec::new();
         if !meets_its_rule(self.solver, self.stop_reason, residual_felt, tolerance) {
             let residual = || format!("the residual is {:.3e}, the tolerance {tolerance:.3e}", self.residual);
@@ -117,6 +118,13 @@ impl Statistics {
                 Solver::VertexRelaxation => "the area still changes by more than its tolerance".to_owned(),
                 Solver::LevenbergMarquardt => "the least squares still change by more than their tolerance".to_owned(),
             });
+        }
+        if let Some(bound) = missed_curvature(self.mean_curvature.max, options) {
+            let largest = self.mean_curvature.max;
+            reasons.push(format!(
+                "the largest mean curvature is {largest:.3e}, the curvature tolerance {bound:.3e}: ask for \
+                 another resolution or a larger tolerance"
+            ));
         }
         if self.quality.flipped_triangles > 0 {
             reasons.push(format!("{} triangles are folded over", self.quality.flipped_triangles));
@@ -131,6 +139,11 @@ impl Statistics {
             .with_count("flipped_triangles", self.quality.flipped_triangles)
             .with_count("degenerate_triangles", self.quality.degenerate_triangles)
     }
+}
+
+/// Returns the bound on the mean curvature of a film of least area if the `largest` one is above it.
+fn missed_curvature(largest: f64, options: &Options) -> Option<f64> {
+    options.curvature_tolerance.filter(|&bound| options.method.objective() == Objective::MinimalArea && largest > bound)
 }
 
 /// Facts about the origin of a film, which the film itself does not show.
@@ -181,7 +194,8 @@ impl Facts {
 /// Assembles the statistics of a film. `rule_met` says whether the solver has met its own rule.
 pub(super) fn collect(facts: Facts, rule_met: bool, origin: Origin, options: &Options) -> Statistics {
     let Origin { kind, initial_area, run } = origin;
-    let converged = rule_met && facts.quality.is_sound();
+    let within = missed_curvature(facts.mean_curvature.max, options).is_none();
+    let converged = rule_met && within && facts.quality.is_sound();
     Statistics {
         objective: options.method.objective(),
         objective_value: run.objective_value.unwrap_or(facts.area),

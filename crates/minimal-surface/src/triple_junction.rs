@@ -99,7 +99,7 @@ pub(super) fn solve(
     let statistics = statistics::collect(facts, is_balanced, origin, options);
     let mut warnings = Vec::new();
     if !statistics.converged {
-        warnings.push(statistics.not_converged(statistics.residual, options.tolerance));
+        warnings.push(statistics.not_converged(statistics.residual, options));
     }
     if let Some(&(_, meeting)) = split.first() {
         let detail = format!(

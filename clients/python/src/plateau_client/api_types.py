@@ -1188,9 +1188,9 @@ class MinimalStatistics(TypedDict):
     components: int
     """Number of connected parts."""
     converged: bool
-    """Whether the solver met its own rule, and no triangle is flipped or degenerate. The rule is `tolerance` for
-    `newton`, `area_tolerance` for `vertex_relaxation`, either of the two for `pinkall_polthier`, and
-    `least_squares_tolerance` for `minimal_mean_curvature`."""
+    """Whether the solver met its own rule, the mean curvature is within `curvature_tolerance`, and no triangle is
+    flipped or degenerate. The rule is `tolerance` for `newton`, `area_tolerance` for `vertex_relaxation`, either of
+    the two for `pinkall_polthier`, and `least_squares_tolerance` for `minimal_mean_curvature`."""
     degenerate_triangles: int
     """Number of triangles without an area, up to rounding."""
     edge_lengths: Spread
@@ -1311,6 +1311,11 @@ class MinimalSurfaceRequest(TypedDict):
     """Fixed points and curves inside the surface. They become vertices and edges of the mesh. Their points are joined to
     points of the boundaries and to each other within `join_tolerance`, and the end of a curve may lie on a segment of a
     boundary."""
+    curvature_tolerance: NotRequired[Optional[float]]
+    """Bound on `statistics.mean_curvature.max`, in 1/unit. A solver that has met its own tolerance goes on until the
+    film is within the bound: `newton` moves the vertices along the film, down to angles of 10 degrees, and the
+    others iterate. A film that is not within it in the end has `converged: false` and the warning `not_converged`.
+    Null means no bound. Only with `objective: minimal_area`."""
     degenerate_angle_deg: NotRequired[Optional[float]]
     """Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
     angle. 0 removes none. Default: `1.0`. Only with `objective: minimal_area` and `solver: pinkall_polthier`, or `objective: minimal_area` and `topology: free`."""
@@ -1391,6 +1396,11 @@ class MinimalSurfaceRequestWithKind(TypedDict):
     """Fixed points and curves inside the surface. They become vertices and edges of the mesh. Their points are joined to
     points of the boundaries and to each other within `join_tolerance`, and the end of a curve may lie on a segment of a
     boundary."""
+    curvature_tolerance: NotRequired[Optional[float]]
+    """Bound on `statistics.mean_curvature.max`, in 1/unit. A solver that has met its own tolerance goes on until the
+    film is within the bound: `newton` moves the vertices along the film, down to angles of 10 degrees, and the
+    others iterate. A film that is not within it in the end has `converged: false` and the warning `not_converged`.
+    Null means no bound. Only with `objective: minimal_area`."""
     degenerate_angle_deg: NotRequired[Optional[float]]
     """Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
     angle. 0 removes none. Default: `1.0`. Only with `objective: minimal_area` and `solver: pinkall_polthier`, or `objective: minimal_area` and `topology: free`."""
@@ -2705,6 +2715,11 @@ class MinimalSurfaceOptions(TypedDict, total=False):
     """Fixed points and curves inside the surface. They become vertices and edges of the mesh. Their points are joined to
     points of the boundaries and to each other within `join_tolerance`, and the end of a curve may lie on a segment of a
     boundary."""
+    curvature_tolerance: Optional[float]
+    """Bound on `statistics.mean_curvature.max`, in 1/unit. A solver that has met its own tolerance goes on until the
+    film is within the bound: `newton` moves the vertices along the film, down to angles of 10 degrees, and the
+    others iterate. A film that is not within it in the end has `converged: false` and the warning `not_converged`.
+    Null means no bound. Only with `objective: minimal_area`."""
     degenerate_angle_deg: Optional[float]
     """Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
     angle. 0 removes none. Default: `1.0`. Only with `objective: minimal_area` and `solver: pinkall_polthier`, or `objective: minimal_area` and `topology: free`."""

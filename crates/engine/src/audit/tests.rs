@@ -144,6 +144,17 @@ fn every_fault_in_a_film_is_found() {
 
 /// Returns a closed polygon of `count` points at the height `z`, with these radii along x and y.
 #[cfg(feature = "minimal-surface")]
+/// A film whose mean curvature is beyond the bound of its request has not converged.
+#[test]
+#[cfg(feature = "minimal-surface")]
+fn a_film_that_misses_its_curvature_bound_and_states_otherwise_is_found() {
+    let mut value = skew_square();
+    value["certify"] = json!(false);
+    value["curvature_tolerance"] = json!(1e-9);
+    let faults: [Fault; 1] = [("a bound that is not kept", |_, statistics| statistics["converged"] = json!(true))];
+    finds(&value, &faults);
+}
+
 fn oval(count: u32, centre: [f64; 2], radii: [f64; 2], z: f64) -> Vec<[f64; 3]> {
     let angles = (0..count).map(|k| std::f64::consts::TAU * f64::from(k) / f64::from(count));
     let place = |angle: f64| [centre[0] + radii[0] * libm::cos(angle), centre[1] + radii[1] * libm::sin(angle), z];

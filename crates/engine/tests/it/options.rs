@@ -154,6 +154,7 @@ fn each_option_of_a_film_acts_or_is_refused() {
             ("constraints", vec![json!({ "points": [[0.1, 0.1, 0.1]] })]),
             ("topology", vec![json!("free"), json!("best")]),
             ("tolerance", vec![json!(0.5)]),
+            ("curvature_tolerance", vec![json!(1e-6)]),
             ("area_tolerance", vec![json!(0.1)]),
             ("least_squares_tolerance", vec![json!(0.1)]),
             ("fairing_tolerance", vec![json!(0.1)]),

@@ -3,7 +3,7 @@
 //!
 //! `cargo run --release -p plateau-lower-bound --example validation_films -- docs/validation` writes the SVG files to
 //! that folder and prints the tables. A word after the folder selects a part: `lower-bounds` (the gaps for three
-//! budgets) or `proven-range` (the plot of two rings).
+//! budgets), `proven-range` (the plot of two rings) or `bento-cavalcanti` (the pictures of their figures).
 
 #![allow(clippy::disallowed_macros, clippy::disallowed_methods, reason = "this is an example")]
 
@@ -34,6 +34,7 @@ fn main() {
     match std::env::args().nth(2).as_deref() {
         Some("lower-bounds") => return lower_bounds::run_all(),
         Some("proven-range") => return lower_bounds::plot_rings(&folder),
+        Some("bento-cavalcanti") => return bento_cavalcanti::run_all(&save),
         _ => {}
     }
     chen_cai_zheng::run_all(&save);

@@ -43,6 +43,20 @@ const PARTS: [f64; 3] = [1.0, 0.5, 0.25];
 /// Tangents of the angles by which a step is turned if an angle blocks all of its fractions.
 const TURNS: [f64; 8] = [0.5, -0.5, 1.0, -1.0, 2.0, -2.0, 4.0, -4.0];
 
+/// Thresholds of a call of [`slide_by`].
+#[derive(Clone, Copy, Debug)]
+pub struct Sliding {
+    /// Number of sweeps that visit every vertex.
+    pub full_sweeps: u32,
+    /// A vertex is visited again in the last sweeps if its dimensionless gradient exceeds this: half its gradient
+    /// divided by the area of its ring and multiplied by the radius of the boundary.
+    pub uneven: f64,
+    /// A vertex does not move if its dimensionless gradient is below this.
+    pub negligible: f64,
+    /// Tangent of the smallest angle that a step may produce.
+    pub least_tangent: f64,
+}
+
 /// Moves the free vertices of a film, one after the other, to where the area of their rings is least, in sweeps that
 /// run alternately forwards and backwards. The connectivity does not change.
 ///
@@ -56,6 +70,15 @@ const TURNS: [f64; 8] = [0.5, -0.5, 1.0, -1.0, 2.0, -2.0, 4.0, -4.0];
 /// # Errors
 /// The interruptions of `exec`. Some vertices have then been moved, and others have not.
 pub fn slide(film: &mut Film, radius: f64, full: u32, exec: &Execution) -> Result<(), Interruption> {
+    let by = Sliding { full_sweeps: full, uneven: UNEVEN, negligible: NEGLIGIBLE, least_tangent: LEAST_TANGENT };
+    slide_by(film, radius, by, exec)
+}
+
+/// Does the same as [`slide`] with thresholds of the caller.
+///
+/// # Errors
+/// The errors of [`slide`].
+pub fn slide_by(film: &mut Film, radius: f64, by: Sliding, exec: &Execution) -> Result<(), Interruption> {
     let mut visited: Vec<u32> = (0..film.vertices.len() as u32).filter(|&v| !film.fixed[v as usize]).collect();
     let mut ring = Vec::new();
     for sweep in 0..SWEEPS {
@@ -69,13 +92,13 @@ pub fn slide(film: &mut Film, radius: f64, full: u32, exec: &Execution) -> Resul
             ring.extend(
                 edges.map(|h| [film.topology.to(h), film.topology.opposite(h)].map(|w| film.vertices[w as usize])),
             );
-            let (place, gradient) = slid(film.vertices[v as usize], &ring, radius);
+            let (place, gradient) = slid(film.vertices[v as usize], &ring, radius, by);
             film.vertices[v as usize] = place;
-            if gradient > UNEVEN {
+            if gradient > by.uneven {
                 uneven.push(v);
             }
         }
-        if sweep + 1 >= full {
+        if sweep + 1 >= by.full_sweeps {
             visited = uneven;
             if sweep >= WITHOUT_NEIGHBOURS {
                 let topology = &film.topology;
@@ -97,9 +120,9 @@ pub fn slide(film: &mut Film, radius: f64, full: u32, exec: &Execution) -> Resul
 
 /// Returns the place of a vertex after one step, and its dimensionless gradient (see [`UNEVEN`]) before the step.
 /// `ring` holds the edge opposite the vertex in each of its triangles.
-fn slid(here: DVec3, ring: &[[DVec3; 2]], radius: f64) -> (DVec3, f64) {
+fn slid(here: DVec3, ring: &[[DVec3; 2]], radius: f64, by: Sliding) -> (DVec3, f64) {
     let (mut gradient, mut second, mut trace) = (DVec3::ZERO, DMat3::ZERO, 0.0);
-    let (mut double_area, mut shortest, mut smallest) = (0.0, f64::INFINITY, LEAST_TANGENT);
+    let (mut double_area, mut shortest, mut smallest) = (0.0, f64::INFINITY, by.least_tangent);
     for &[from, to] in ring {
         let edge = to - from;
         let normal = edge.cross(here - from);
@@ -117,7 +140,7 @@ fn slid(here: DVec3, ring: &[[DVec3; 2]], radius: f64) -> (DVec3, f64) {
         smallest = smallest.min(least_tangent([here, from, to]));
     }
     let size = gradient.length() * radius / (2.0 * double_area);
-    if size < NEGLIGIBLE {
+    if size < by.negligible {
         return (here, size);
     }
     let step = -((second + DMat3::from_diagonal(DVec3::splat(DAMPING * trace))).inverse() * gradient);

@@ -84,8 +84,7 @@ pub fn remove_degenerate_triangles(
     necks: Necks,
     exec: &Execution,
 ) -> Result<Changes, Interruption> {
-    let smallest = |t: [u32; 3]| smallest_angle(film.corners(t));
-    if film.triangles().iter().all(|&t| smallest(t) >= degenerate_angle) {
+    if !has_degenerate_triangles(film, degenerate_angle) {
         return Ok(Changes::default());
     }
     let mut rules = Rules {
@@ -125,6 +124,13 @@ pub fn remove_degenerate_triangles(
     }
     *film = changed;
     Ok(changes)
+}
+
+/// Whether a triangle has an angle below `degenerate_angle` (radians).
+#[must_use]
+pub fn has_degenerate_triangles(film: &Film, degenerate_angle: f64) -> bool {
+    let is_thin = |t: [u32; 3]| smallest_angle(film.corners(t)) < degenerate_angle;
+    film.triangles().iter().any(|&t| is_thin(t))
 }
 
 fn smallest_angle(corners: [DVec3; 3]) -> f64 {

@@ -14,12 +14,11 @@ use crate::options::{FreeTopology, Limits, OnUnstable, PinkallPolthier, Solver};
 use crate::run::{Record, Run};
 use crate::solvers::newton;
 use crate::solvers::pinkall_polthier::{Until, iterate};
+use crate::solvers::unfolding::unfold;
 use plateau_equilibrium::form_finding::StopReason;
 use plateau_mesh::film::Film;
-use plateau_mesh::remesh::delaunay::flip_to_delaunay;
 use plateau_mesh::remesh::isotropic::{BoundaryEdges, resample};
-use plateau_mesh::remesh::thin_triangles::{Necks, remove_degenerate_triangles};
-use plateau_mesh::{DVec3, Error, Execution, Interruption};
+use plateau_mesh::{Error, Execution, Interruption};
 
 // Tunables. The figures in docs/VALIDATION.md were obtained with these values.
 
@@ -32,14 +31,10 @@ const SETTLED_AREA: f64 = 1e-4;
 const AT_REST: f64 = 1e-9;
 /// Largest number of rounds that remove flipped triangles after a neck has closed.
 const MOST_UNFOLDINGS: u32 = 3;
-/// Triangles with an angle below this (in radians) are removed in a round that removes flipped triangles.
-const NEEDLE: f64 = 0.15;
 /// Step 2 remeshes the film first if fewer than this fraction of the triangles of the initial mesh are left.
 const FEW: f64 = 0.8;
 /// Largest number of passes of the remeshing in step 2.
 const REFILL_PASSES: u32 = 12;
-/// Number of times that every free vertex is averaged in a round that removes flipped triangles.
-const UNFOLDING_SWEEPS: u32 = 50;
 
 /// Carries out steps 1 to 3 on a film. The returned [`Run`] counts the solves of steps 1 and 2.
 ///
@@ -63,7 +58,9 @@ pub(crate) fn run(
     loop {
         let part = 0.5 * (1.0 - done);
         let rules = PinkallPolthier { area_tolerance: change, linear_solver, degenerate_angle, cut_necks: true };
-        let left = Limits { max_iterations: Some(limit.saturating_sub(run.iterations)), ..limits };
+        // The bound on the mean curvature is for the film in the end and not for one that shrinks.
+        let left =
+            Limits { max_iterations: Some(limit.saturating_sub(run.iterations)), curvature_tolerance: None, ..limits };
         let reached = shrink(film, &rules, left, &mut run, exec, [done, done + 0.5 * part])?;
         match reached {
             StopReason::Deadline | StopReason::MaxIterations | StopReason::NothingToMove => {
@@ -109,25 +106,6 @@ pub(crate) fn run(
     }
 }
 
-/// Removes needles and moves every free vertex to the mean of its neighbours many times, which removes flipped
-/// triangles. These arise when a neck closes, because it leaves a spike of needles, which may fall over as it flattens.
-fn unfold(film: &mut Film, exec: &Execution) -> Result<(), Interruption> {
-    remove_degenerate_triangles(film, NEEDLE, Necks::Keep, exec)?;
-    let free: Vec<u32> = (0..film.vertices.len() as u32).filter(|&v| !film.fixed[v as usize]).collect();
-    for _ in 0..UNFOLDING_SWEEPS {
-        for &v in &free {
-            let (sum, count) = film
-                .topology
-                .outgoing_half_edges(v)
-                .map(|h| film.vertices[film.topology.to(h) as usize])
-                .fold((DVec3::ZERO, 0.0), |(sum, count), point| (sum + point, count + 1.0));
-            film.vertices[v as usize] = sum / count;
-        }
-    }
-    flip_to_delaunay(film, exec)?;
-    Ok(())
-}
-
 /// Carries out step 1. Adds its solves and pinches to `run`. Returns [`StopReason::TopologyChange`] if a neck has
 /// closed.
 fn shrink(
@@ -163,7 +141,7 @@ mod tests {
     fn rings(height: f64) -> (Film, Run) {
         let mut film = cylinder(48, 8, height / 10.0);
         film.vertices.iter_mut().for_each(|vertex| *vertex *= 10.0);
-        let limits = Limits { tolerance: 1e-6, max_iterations: None };
+        let limits = Limits { tolerance: 1e-6, curvature_tolerance: None, max_iterations: None };
         let run = run(&mut film, &FreeTopology::default(), limits, false, &Execution::default()).unwrap();
         film.mesh().check().unwrap();
         assert_eq!((run.stop_reason, film.flipped_triangles()), (StopReason::Residual, 0));

@@ -19,6 +19,7 @@
 //!   triangle.
 //! - Fairing does not lower the area in every step and could alternate between two states for ever. The iterations of
 //!   each stage are therefore limited to its share of the remaining iterations.
+//! - If the caller bounds the mean curvature, the last stage goes on until the film is within the bound.
 
 use crate::curvature::Curvature;
 use crate::options::{Limits, Process, Solver, VertexRelaxation};
@@ -52,6 +53,7 @@ pub(crate) fn run(film: &mut Film, options: &VertexRelaxation, limits: Limits, e
     let mut relaxation = Relaxation {
         film,
         exec,
+        limits,
         limit: limits.max_iterations.unwrap_or(DEFAULT_SWEEPS),
         iterations: 0,
         history: Vec::new(),
@@ -71,6 +73,7 @@ pub(crate) fn run(film: &mut Film, options: &VertexRelaxation, limits: Limits, e
 struct Relaxation<'a> {
     film: &'a mut Film,
     exec: &'a Execution<'a>,
+    limits: Limits,
     limit: u32,
     iterations: u32,
     history: Vec<HistoryRow>,
@@ -97,7 +100,8 @@ impl Relaxation<'_> {
             };
             let share = (self.limit - self.iterations) / (stages.len() - k) as u32;
             let span = (k as f64 / stages.len() as f64, (k + 1) as f64 / stages.len() as f64);
-            let ended = self.stage(stage, tolerance, self.iterations + share, span)?;
+            let is_last = k + 1 == stages.len();
+            let ended = self.stage(stage, tolerance, is_last, self.iterations + share, span)?;
             // The last stage decides the reason. An earlier stage that used up its iterations leaves the rest of its
             // work to the next stage.
             reason = if ended { StopReason::AreaChange } else { StopReason::MaxIterations };
@@ -105,12 +109,13 @@ impl Relaxation<'_> {
         Ok(reason)
     }
 
-    /// Repeats a stage. Returns true if the area changed by less than the tolerance, false if the iterations were used
-    /// up.
+    /// Repeats a stage. Returns true if the area changed by less than the tolerance, and in the last stage the mean
+    /// curvature is within its bound too. Returns false if the iterations were used up.
     fn stage(
         &mut self,
         stage: &[Process],
         tolerance: f64,
+        is_last: bool,
         last_iteration: u32,
         span: (f64, f64),
     ) -> Result<bool, Interruption> {
@@ -133,7 +138,8 @@ impl Relaxation<'_> {
             self.iterations += 1;
             let before = std::mem::replace(&mut area, self.film.area());
             let change = (before - area).abs() / area;
-            let ended = change.is_nan() || change <= tolerance;
+            let is_within = || !is_last || self.limits.allow(Curvature::of(self.film).largest());
+            let ended = change.is_nan() || change <= tolerance && is_within();
             let first_change = *first_change.get_or_insert(change);
             // The changes decrease geometrically, so the logarithm of the change measures the progress of the stage.
             let part = libm::log(first_change / change) / libm::log(first_change / tolerance.max(1e-16));

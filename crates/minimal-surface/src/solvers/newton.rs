@@ -424,7 +424,7 @@ mod tests {
     #[test]
     fn beyond_the_critical_gap_nothing_is_called_converged() {
         let mut film = cylinder(48, 16, 1.5);
-        let limits = Limits { tolerance: 1e-6, max_iterations: None };
+        let limits = Limits { tolerance: 1e-6, curvature_tolerance: None, max_iterations: None };
         let boundary_edges = BoundaryEdges::Kept;
         let task = Task {
             limits,

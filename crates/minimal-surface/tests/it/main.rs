@@ -11,6 +11,7 @@
 mod best_of_all_starts;
 mod boundaries;
 mod cornered_boundaries;
+mod curvature_bound;
 mod first_points;
 mod initial_meshes;
 mod kept_film;

@@ -68,6 +68,16 @@ impl SolverInput {
             audit.figure("/junctions/length", total.mean.times(total.count as f64));
         }
         self.compare_certificate(audit, area);
+        self.compare_curvature_bound(audit);
+    }
+
+    /// A film that states that it converged is within the request's bound on the mean curvature. The stated curvature
+    /// has been compared with the mesh before.
+    fn compare_curvature_bound(&self, audit: &mut Audit) {
+        let bound = self.options.curvature_tolerance;
+        let (Some(bound), Some(largest)) = (bound, audit.stated("/mean_curvature/max")) else { return };
+        let is_kept = *audit.value("/converged") != true || largest <= bound;
+        audit.require(is_kept, || format!("the mean curvature is at most {bound}"), || format!("{largest}"));
     }
 
     fn compare_objective(&self, audit: &mut Audit, area: Measured) {

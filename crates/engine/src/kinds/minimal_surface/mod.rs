@@ -26,7 +26,7 @@ use plateau_archive::units::{Unit, UpAxis};
 use plateau_mesh::{DVec3, Mesh};
 use plateau_minimal_surface::{self as geometry, BoundarySampling, LinearSolver, OnUnstable, Process};
 use plateau_strict_json::bounds::{
-    Fraction, List, NonNegative, UpTo20, Whole, given, given_one, is_default, unwritten, yes,
+    Fraction, List, NonNegative, Positive, UpTo20, Whole, given, given_one, is_default, unwritten, yes,
 };
 use plateau_strict_json::rejection::{FieldError, Rejection};
 use plateau_strict_json::union;
@@ -132,6 +132,12 @@ pub struct MinimalSurfaceRequest {
     #[serde(default = "default_tolerance", skip_serializing_if = "is_default_tolerance")]
     #[schemars(extend("default" = 1e-6))]
     pub tolerance: Fraction,
+    /// Bound on `statistics.mean_curvature.max`, in 1/unit. A solver that has met its own tolerance goes on until the
+    /// film is within the bound: `newton` moves the vertices along the film, down to angles of 10 degrees, and the
+    /// others iterate. A film that is not within it in the end has `converged: false` and the warning `not_converged`.
+    /// Null means no bound.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub curvature_tolerance: Option<Positive>,
     /// Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` have converged.
     #[serde(default = "default_tolerance", skip_serializing_if = "is_default_tolerance")]
     #[schemars(extend("default" = 1e-6))]
@@ -432,6 +438,7 @@ impl Optioned for MinimalSurfaceRequest {
             &[&[when("objective", AREA), when("solver", &["auto", "pinkall_polthier", "newton"])]],
         ),
         RequestOption::with("tolerance", &[&[when("objective", AREA)]]),
+        RequestOption::with("curvature_tolerance", &[&[when("objective", AREA)]]),
         RequestOption::with(
             "area_tolerance",
             &[&[when("objective", AREA), when("solver", &["vertex_relaxation", "pinkall_polthier"])]],
@@ -621,6 +628,7 @@ impl MinimalSurfaceRequest {
                 ends: Vec::new(),
             },
             tolerance: self.tolerance.get(),
+            curvature_tolerance: self.curvature_tolerance.map(Positive::get),
             max_iterations: self.max_iterations.map(Whole::get),
             ..geometry::Options::new(resolution)
         };

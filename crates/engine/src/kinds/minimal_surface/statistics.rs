@@ -140,9 +140,9 @@ pub struct MinimalStatistics {
     pub residual: f64,
     /// The same including the tangential part of the area gradient, which depends on the layout of the triangles.
     pub residual_full: f64,
-    /// Whether the solver met its own rule, and no triangle is flipped or degenerate. The rule is `tolerance` for
-    /// `newton`, `area_tolerance` for `vertex_relaxation`, either of the two for `pinkall_polthier`, and
-    /// `least_squares_tolerance` for `minimal_mean_curvature`.
+    /// Whether the solver met its own rule, the mean curvature is within `curvature_tolerance`, and no triangle is
+    /// flipped or degenerate. The rule is `tolerance` for `newton`, `area_tolerance` for `vertex_relaxation`, either of
+    /// the two for `pinkall_polthier`, and `least_squares_tolerance` for `minimal_mean_curvature`.
     pub converged: bool,
     /// Rule or limit that ended the solver.
     pub stop_reason: &'static str,
