@@ -238,7 +238,6 @@ pub fn endless_film(height: f64) -> Value {
     film
 }
 
-/// Asserts that a response is a problem document of this status, and returns it.
 /// Returns false for the path of a part that this build leaves out.
 pub fn is_built(path: &str) -> bool {
     match path {
@@ -251,6 +250,7 @@ pub fn is_built(path: &str) -> bool {
     }
 }
 
+/// Asserts that a response is a problem document of this status, and returns it.
 pub async fn problem(response: Response, status: u16) -> Value {
     let path = response.url().path().to_owned();
     assert_eq!(response.status().as_u16(), status, "{path}");

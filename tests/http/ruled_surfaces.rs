@@ -19,6 +19,10 @@ fn ring(count: usize, z: f64) -> Vec<[f64; 3]> {
     (0..count).map(|k| std::f64::consts::TAU * k as f64 / count as f64).map(|a| [a.cos(), a.sin(), z]).collect()
 }
 
+fn rings() -> Value {
+    json!({ "directrices": [ring(12, 0.0), ring(9, 1.0)], "closed": true })
+}
+
 fn with(mut body: Value, fields: Value) -> Value {
     let fields = fields.as_object().expect("an object").clone();
     body.as_object_mut().expect("an object").extend(fields);
@@ -171,6 +175,15 @@ async fn wrong_values_get_an_error_with_their_pointer() {
             with(strip(), json!({ "sampling": { "by": "parameter", "samples": 5, "tolerance": 1 } })),
             "/sampling/tolerance",
         ),
+        (with(strip(), json!({ "rail_tolerance": -0.1 })), "/rail_tolerance"),
+        (with(strip(), json!({ "rail_tolerance": 1 })), "/rail_tolerance"),
+        (
+            with(strip(), json!({ "rail_tolerance": 0.1, "objective": { "weights": { "minimal_area": 1 } } })),
+            "/rail_tolerance",
+        ),
+        (with(strip(), json!({ "rail_ends": "fixed" })), "/rail_ends"),
+        (with(rings(), json!({ "rail_ends": "fixed", "rail_tolerance": 0.1 })), "/rail_ends"),
+        (with(rings(), json!({ "caps": "flat", "rail_tolerance": 0.1 })), "/rail_tolerance"),
     ];
     for (body, pointer) in cases {
         let problem = problem(app.post(RULED, &body).await, 422).await;
@@ -178,6 +191,9 @@ async fn wrong_values_get_an_error_with_their_pointer() {
     }
     let huge = with(strip(), json!({ "sampling": { "by": "parameter", "samples": 10_000_000 } }));
     assert_eq!(pointers(&problem(app.post(RULED, &huge).await, 413).await), ["/sampling/samples"]);
+    // The search of these rails is allowed, but not the searches for rails that move.
+    let moving = with(large_strip(10_000), json!({ "rail_tolerance": 0.01 }));
+    assert_eq!(pointers(&problem(app.post(RULED, &moving).await, 413).await), ["/rail_tolerance"]);
     let mut bent = ring(12, 0.0);
     bent[3][2] = 0.5;
     let capped = json!({ "directrices": [bent, ring(9, 1.0)], "closed": true, "caps": "flat" });

@@ -2876,6 +2876,37 @@ export interface components {
             /** @description A point of the axis. */
             point: number[];
         };
+        /**
+         * @description Whether the ends of open directrices move when the other points do.
+         *
+         *     - `free`: The ends move as every other point.
+         *     - `fixed`: The ends keep their places.
+         * @enum {string}
+         */
+        RailEnds: "free" | "fixed";
+        /** @description Result of `rail_tolerance`. */
+        RailStatistics: {
+            /**
+             * Format: double
+             * @description Value of the objective for the points in their own places.
+             */
+            before: number;
+            /**
+             * Format: double
+             * @description Improvement of the objective: `before` less `objective_value`, or the number of further convex bridges.
+             */
+            gain: number;
+            /**
+             * Format: double
+             * @description Largest distance of a point from its own place, in the request's unit.
+             */
+            moved_max: number;
+            /**
+             * Format: int64
+             * @description Vertex of the mesh that moved by `moved_max`, the lowest number among equals.
+             */
+            moved_max_vertex: number;
+        };
         /** @description A request that names its kind. */
         RequestWithKind: components["schemas"]["RuledSurfaceRequestWithKind"] | components["schemas"]["MinimalSurfaceRequestWithKind"] | components["schemas"]["UniformMeshRequestWithKind"] | components["schemas"]["TensileStructureRequestWithKind"] | components["schemas"]["CableNetRequestWithKind"];
         /** @description Resolution of the mesh, given by exactly one of the three fields. */
@@ -3005,6 +3036,8 @@ export interface components {
             objective_value: number;
             /** @description Middle of the mesh's bounding box, which files with `origin=local` are relative to. */
             origin: number[];
+            /** @description How far the points of the directrices moved, and what that brought. Null without `rail_tolerance`. */
+            rails: components["schemas"]["RailStatistics"] | null;
             /** @description For each directrix, whether `direction: auto` reversed it. */
             reversed: boolean[];
             /**
@@ -3144,6 +3177,18 @@ export interface components {
             normals?: components["schemas"]["Point"][][] | null;
             /** @description One of the named objectives, or a weighted sum of them. */
             objective?: components["schemas"]["Goal"] | null;
+            /** @description Whether the ends of open directrices move as the other points do. Needs `rail_tolerance`. Only with `closed: false`. */
+            rail_ends?: components["schemas"]["RailEnds"] | null;
+            /**
+             * Format: double
+             * @description Distance, in the request's unit, by which every point of the directrices may move from its own place for the
+             *     optimum (Wang-Tang, section 7). It is at most a quarter of the largest distance of a point from the mean of all
+             *     points. The bridges and the points are improved in turn, which finds a local optimum. Its value is never worse
+             *     than that of the points as given, and never worse than with a smaller tolerance. Samples have the places that
+             *     `sampling` gives them. It is not allowed with `caps`, nor with a weighted sum unless `normalise` is false. If
+             *     null, the points stay.
+             */
+            rail_tolerance?: number | null;
             /** @description Rule by which the directrices are resampled before solving. If null, they are used as given. */
             sampling?: components["schemas"]["Sampling"] | null;
             /** @description Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`. Only with `objective: maximal_convexity`. */
@@ -3220,6 +3265,18 @@ export interface components {
             normals?: components["schemas"]["Point"][][] | null;
             /** @description One of the named objectives, or a weighted sum of them. */
             objective?: components["schemas"]["Goal"] | null;
+            /** @description Whether the ends of open directrices move as the other points do. Needs `rail_tolerance`. Only with `closed: false`. */
+            rail_ends?: components["schemas"]["RailEnds"] | null;
+            /**
+             * Format: double
+             * @description Distance, in the request's unit, by which every point of the directrices may move from its own place for the
+             *     optimum (Wang-Tang, section 7). It is at most a quarter of the largest distance of a point from the mean of all
+             *     points. The bridges and the points are improved in turn, which finds a local optimum. Its value is never worse
+             *     than that of the points as given, and never worse than with a smaller tolerance. Samples have the places that
+             *     `sampling` gives them. It is not allowed with `caps`, nor with a weighted sum unless `normalise` is false. If
+             *     null, the points stay.
+             */
+            rail_tolerance?: number | null;
             /** @description Rule by which the directrices are resampled before solving. If null, they are used as given. */
             sampling?: components["schemas"]["Sampling"] | null;
             /** @description Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`. Only with `objective: maximal_convexity`. */
@@ -7070,6 +7127,7 @@ export interface operations {
                      *           0.5,
                      *           0.25
                      *         ],
+                     *         "rails": null,
                      *         "reversed": [
                      *           false,
                      *           false

@@ -54,7 +54,8 @@ pub use graph::rails::Given;
 pub use graph::weight::BendingLaw;
 pub use pattern::FlatPattern;
 pub use pattern::flat_strip::FlatStrip;
-pub use stack::options::{Caps, DEFAULT_CONVEXITY_TOLERANCE, Direction, DirectionCriterion, Options};
+pub use stack::moving::MovedRails;
+pub use stack::options::{Caps, DEFAULT_CONVEXITY_TOLERANCE, Direction, DirectionCriterion, Options, RailEnds};
 pub use stack::sampling::Sampling;
 pub use stack::surface::{Comparison, RuledSurface};
 pub use strip::Strip;
@@ -72,6 +73,8 @@ use plateau_mesh::measure::double_area_vector;
 use plateau_mesh::{DVec3, Estimate};
 use stack::assemble::assemble;
 use stack::direction::choose_directions;
+use stack::moving::ladder::Freedom;
+use stack::moving::move_rails;
 use stack::prepare::prepare;
 use stack::{caps, meetings, sampling, warnings};
 use strip::objective::Goal;
@@ -111,14 +114,23 @@ fn solve_with(
     let meetings = meetings::warnings(&prepared, execution)?;
     prepared.warnings.extend(meetings);
     let test = ConvexityTest::new(options.convexity_tolerance);
-    let mut counter = CellCounter::new(execution, stack::estimate::estimate(&prepared.lengths(), options).cells);
+    let freedom = Freedom::new(directrices, options);
+    let rungs = freedom.map_or(0, Freedom::rungs);
+    let mut counter = CellCounter::new(execution, stack::estimate::estimate(&prepared.lengths(), options, rungs).cells);
     let goal = Goal { objective: options.objective, secondary: options.secondary };
     if options.direction == Direction::Auto {
         choose_directions(&mut prepared, goal, test, lanes, &mut counter)?;
     }
+    let moved = match freedom {
+        Some(freedom) => Some(move_rails(&mut prepared, (goal, test), freedom, lanes, &mut counter)?),
+        None => None,
+    };
     let strips: Vec<Rails> = prepared.strips();
-    let SolvedStrips { paths, statistics: strip_statistics, concave, flipped } =
-        solve_all(&strips, goal, test, lanes, &mut counter, &mut prepared.warnings)?;
+    let (solved, rails) = match moved {
+        Some((solved, rails)) => (solved, Some(rails)),
+        None => (solve_all(&strips, goal, test, lanes, &mut counter, &mut prepared.warnings)?, None),
+    };
+    let SolvedStrips { paths, statistics: strip_statistics, concave, flipped } = solved;
     counter.phase("statistics");
     let mut comparison = None;
     if options.all_objectives {
@@ -159,6 +171,7 @@ fn solve_with(
     surface.concave_bridges = concave_bridges(&strip_statistics, &concave);
     surface.strips = strip_statistics;
     surface.comparison = comparison;
+    surface.rails = rails;
     surface.warnings = prepared.warnings;
     execution.report(Progress {
         fraction: 1.0,
@@ -198,7 +211,9 @@ pub fn check(directrices: &[Vec<DVec3>], options: &Options) -> Result<(), Error>
 #[must_use]
 pub fn estimate(points: &[usize], options: &Options) -> Estimate {
     let sampled: Vec<usize> = points.iter().map(|&count| sampling::count(count, options.sampling)).collect();
-    stack::estimate::estimate(&sampled, options)
+    // The coordinates, which decide the number of rungs, are not known here.
+    let rungs = if options.rail_tolerance.is_some() { Freedom::most_rungs() } else { 0 };
+    stack::estimate::estimate(&sampled, options, rungs)
 }
 
 /// Estimates the cost of [`solve`] for these directrices. An open strip of least area is searched for within a corridor,
@@ -217,8 +232,10 @@ pub fn estimate_for(
 ) -> Result<Estimate, Error> {
     let mut prepared = prepare(directrices, options, options.sampling, execution)?;
     let lengths = prepared.lengths();
-    let mut estimate = stack::estimate::estimate(&lengths, options);
-    if options.objective != Objective::MinimalArea || options.closed || options.all_objectives {
+    let rungs = Freedom::new(directrices, options).map_or(0, Freedom::rungs);
+    let mut estimate = stack::estimate::estimate(&lengths, options, rungs);
+    let is_area = options.objective == Objective::MinimalArea && options.rail_tolerance.is_none();
+    if !is_area || options.closed || options.all_objectives {
         return Ok(estimate);
     }
     let is_given = options.direction == Direction::AsGiven;

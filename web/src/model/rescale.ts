@@ -8,7 +8,7 @@ type Values = Record<string, unknown>;
 
 /** The powers of length in the fields of a request, by their paths. A step `*` stands for every item of a list. */
 const POWERS: Record<string, number> = {
-  'resolution.edge_length': 1, 'edge_length': 1, 'length_tolerance': 1, 'sampling.tolerance': 1,
+  'resolution.edge_length': 1, 'edge_length': 1, 'length_tolerance': 1, 'sampling.tolerance': 1, 'rail_tolerance': 1,
   'pressure': -2, 'volume': 3, 'film.tension': -1, 'film.warp': -1, 'film.weft': -1, 'film.weight': -2, 'layers.*.tension': -1, 'layers.*.warp': -1, 'layers.*.weft': -1, 'layers.*.weight': -2,
   'chambers.*.pressure': -2, 'chambers.*.volume': 3, 'cables.*.weight': -1, 'cables.*.force_density': -1, 'cables.*.length': 1, 'least_force_density': -1,
   'supports.*.on.circle.radius': 1, 'supports.*.on.cylinder.radius': 1, 'supports.*.on.sphere.radius': 1, 'supports.*.on.torus.radius': 1, 'supports.*.on.torus.tube_radius': 1, 'supports.*.on.mesh.rounding': 1,

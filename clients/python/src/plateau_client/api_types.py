@@ -112,6 +112,11 @@ Process = Literal['laplacian_fairing', 'area_minimising', 'edge_swapping']
 - `edge_swapping`: Edges are flipped where that lowers the area."""
 ProcessStage = Union["Process", "AlternatingProcesses"]
 """One process, or several that take turns."""
+RailEnds = Literal['free', 'fixed']
+"""Whether the ends of open directrices move when the other points do.
+
+- `free`: The ends move as every other point.
+- `fixed`: The ends keep their places."""
 RequestWithKind = Union["RuledSurfaceRequestWithKind", "MinimalSurfaceRequestWithKind", "UniformMeshRequestWithKind", "TensileStructureRequestWithKind", "CableNetRequestWithKind"]
 """A request that names its kind."""
 Rim = Literal['bounded', 'free']
@@ -1669,6 +1674,18 @@ class RadialDirection(TypedDict):
     """A point of the axis."""
 
 
+class RailStatistics(TypedDict):
+    """Result of `rail_tolerance`."""
+    before: float
+    """Value of the objective for the points in their own places."""
+    gain: float
+    """Improvement of the objective: `before` less `objective_value`, or the number of further convex bridges."""
+    moved_max: float
+    """Largest distance of a point from its own place, in the request's unit."""
+    moved_max_vertex: int
+    """Vertex of the mesh that moved by `moved_max`, the lowest number among equals."""
+
+
 class Resolution(TypedDict):
     """Resolution of the mesh, given by exactly one of the three fields."""
     edge_length: NotRequired[float]
@@ -1739,6 +1756,8 @@ class RuledStatistics(TypedDict):
     """Value of the objective. For `maximal_convexity` it is the number of convex bridges."""
     origin: List[float]
     """Middle of the mesh's bounding box, which files with `origin=local` are relative to."""
+    rails: Optional[RailStatistics]
+    """How far the points of the directrices moved, and what that brought. Null without `rail_tolerance`."""
     reversed: List[bool]
     """For each directrix, whether `direction: auto` reversed it."""
     secondary_value: Optional[float]
@@ -1835,6 +1854,15 @@ class RuledSurfaceRequest(TypedDict):
     them."""
     objective: NotRequired[Optional[Goal]]
     """One of the named objectives, or a weighted sum of them."""
+    rail_ends: NotRequired[Optional[RailEnds]]
+    """Whether the ends of open directrices move as the other points do. Needs `rail_tolerance`. Only with `closed: false`."""
+    rail_tolerance: NotRequired[Optional[float]]
+    """Distance, in the request's unit, by which every point of the directrices may move from its own place for the
+    optimum (Wang-Tang, section 7). It is at most a quarter of the largest distance of a point from the mean of all
+    points. The bridges and the points are improved in turn, which finds a local optimum. Its value is never worse
+    than that of the points as given, and never worse than with a smaller tolerance. Samples have the places that
+    `sampling` gives them. It is not allowed with `caps`, nor with a weighted sum unless `normalise` is false. If
+    null, the points stay."""
     sampling: NotRequired[Optional[Sampling]]
     """Rule by which the directrices are resampled before solving. If null, they are used as given."""
     secondary_objective: NotRequired[Optional[SecondaryObjective]]
@@ -1892,6 +1920,15 @@ class RuledSurfaceRequestWithKind(TypedDict):
     them."""
     objective: NotRequired[Optional[Goal]]
     """One of the named objectives, or a weighted sum of them."""
+    rail_ends: NotRequired[Optional[RailEnds]]
+    """Whether the ends of open directrices move as the other points do. Needs `rail_tolerance`. Only with `closed: false`."""
+    rail_tolerance: NotRequired[Optional[float]]
+    """Distance, in the request's unit, by which every point of the directrices may move from its own place for the
+    optimum (Wang-Tang, section 7). It is at most a quarter of the largest distance of a point from the mean of all
+    points. The bridges and the points are improved in turn, which finds a local optimum. Its value is never worse
+    than that of the points as given, and never worse than with a smaller tolerance. Samples have the places that
+    `sampling` gives them. It is not allowed with `caps`, nor with a weighted sum unless `normalise` is false. If
+    null, the points stay."""
     sampling: NotRequired[Optional[Sampling]]
     """Rule by which the directrices are resampled before solving. If null, they are used as given."""
     secondary_objective: NotRequired[Optional[SecondaryObjective]]
@@ -2673,6 +2710,15 @@ class RuledSurfaceOptions(TypedDict, total=False):
     them."""
     objective: Optional[Goal]
     """One of the named objectives, or a weighted sum of them."""
+    rail_ends: Optional[RailEnds]
+    """Whether the ends of open directrices move as the other points do. Needs `rail_tolerance`. Only with `closed: false`."""
+    rail_tolerance: Optional[float]
+    """Distance, in the request's unit, by which every point of the directrices may move from its own place for the
+    optimum (Wang-Tang, section 7). It is at most a quarter of the largest distance of a point from the mean of all
+    points. The bridges and the points are improved in turn, which finds a local optimum. Its value is never worse
+    than that of the points as given, and never worse than with a smaller tolerance. Samples have the places that
+    `sampling` gives them. It is not allowed with `caps`, nor with a weighted sum unless `normalise` is false. If
+    null, the points stay."""
     sampling: Optional[Sampling]
     """Rule by which the directrices are resampled before solving. If null, they are used as given."""
     secondary_objective: Optional[SecondaryObjective]

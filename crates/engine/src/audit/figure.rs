@@ -29,6 +29,11 @@ impl Measured {
         Self { value: self.value * factor, low: self.low * factor, high: self.high * factor }
     }
 
+    #[must_use]
+    pub fn plus(self, other: Self) -> Self {
+        Self { value: self.value + other.value, low: self.low + other.low, high: self.high + other.high }
+    }
+
     /// Returns the figure with a range that is wider by `tolerance` on both sides.
     #[must_use]
     pub fn widened(self, tolerance: f64) -> Self {

@@ -18,8 +18,19 @@ const BESIDE: f64 = 1.0;
 /// Requires that each point is exactly at its vertex. A point that was merged into another one only has to be near the
 /// vertex.
 pub(crate) fn at_their_vertices<'p>(audit: &mut Audit, polylines: impl Iterator<Item = &'p [DVec3]>) {
+    near_their_vertices(audit, polylines, |_, _| 0.0);
+}
+
+/// Requires that each point is at most as far from its vertex as `allowed` says for its index and the number of points
+/// of its polyline. A point that was merged into another one may also be farther by the distance at which points are
+/// merged. Returns the distance of each vertex from the point that it stands for, except for merged points.
+pub(crate) fn near_their_vertices<'p>(
+    audit: &mut Audit,
+    polylines: impl Iterator<Item = &'p [DVec3]>,
+    allowed: impl Fn(usize, usize) -> f64,
+) -> Vec<(u32, f64)> {
     let contents = audit.contents;
-    let mut count = 0;
+    let (mut count, mut moves) = (0, Vec::new());
     for (k, points) in polylines.enumerate() {
         count = k + 1;
         let numbers = contents.input_vertices.get(k).map_or(&[][..], |numbers| &numbers[..]);
@@ -32,17 +43,22 @@ pub(crate) fn at_their_vertices<'p>(audit: &mut Audit, polylines: impl Iterator<
         for (i, (&point, &v)) in points.iter().zip(numbers).enumerate() {
             let vertex = contents.mesh.vertices[v as usize];
             let is_merged = i > 0 && (before == Some(v) || Some(&v) == numbers.first());
-            let holds = vertex == point || (is_merged && vertex.distance(point) <= near);
+            let (distance, allowed) = (vertex.distance(point), allowed(i, points.len()));
+            let holds = if allowed > 0.0 { distance <= allowed } else { vertex == point };
             audit.require(
-                holds,
+                holds || is_merged && distance <= allowed + near,
                 || format!("point {i} of polyline {k} is at its vertex"),
-                || format!("vertex {v} is {} away", vertex.distance(point)),
+                || format!("vertex {v} is {distance} away, of {allowed} allowed"),
             );
+            if !is_merged {
+                moves.push((v, distance));
+            }
             before = Some(v);
         }
     }
     let lists = contents.input_vertices.len();
     audit.require(count == lists, || "each polyline of the request has its vertices".into(), || lists.to_string());
+    moves
 }
 
 /// Returns the polylines of the line set with this name.

@@ -324,6 +324,53 @@ fn every_fault_in_strips_is_found() {
 }
 
 #[test]
+#[cfg(feature = "ruled-surface")]
+fn every_fault_in_rails_that_moved_is_found() {
+    let mut moving = strips();
+    moving["rail_tolerance"] = json!(0.05);
+    moving["secondary_objective"] = Value::Null;
+    finds(
+        &moving,
+        &[("fewer convex bridges before", |_, statistics| {
+            add(statistics, "/rails/before", -100.0);
+            add(statistics, "/rails/gain", 100.0);
+        })],
+    );
+    moving["objective"] =
+        json!({ "weights": { "minimal_area": 1, "minimal_bending_energy": 0.1 }, "normalise": false });
+    let faults: [Fault; 5] = [
+        ("a larger move", |_, statistics| add(statistics, "/rails/moved_max", 1e-6)),
+        ("another vertex", |_, statistics| {
+            let vertex = &mut statistics["rails"]["moved_max_vertex"];
+            *vertex = json!(if *vertex == 2 { 6 } else { 2 });
+        }),
+        ("a gain of other values", |_, statistics| add(statistics, "/rails/gain", 1e-6)),
+        ("a worse value before", |_, statistics| {
+            add(statistics, "/rails/before", 100.0);
+            add(statistics, "/rails/gain", 100.0);
+        }),
+        ("a value of other weights", |_, statistics| {
+            for pointer in ["/strips/0/objective_value", "/objective_value", "/rails/gain"] {
+                add(statistics, pointer, if pointer == "/rails/gain" { -1e-6 } else { 1e-6 });
+            }
+        }),
+    ];
+    finds(&moving, &faults);
+    // The result of a request is compared with requests that let the points move less.
+    let accepted = request(&moving);
+    let (draft, _) = accepted.draft();
+    for (member, value) in [("rail_tolerance", json!(0.04)), ("rail_ends", json!("fixed"))] {
+        let mut stricter = moving.clone();
+        stricter[member] = value;
+        let stricter = request(&stricter);
+        let (_, input) = stricter.draft();
+        let found =
+            faults_of(&draft.statistics, &draft.warnings, &draft.archive, input, &Execution::default()).unwrap();
+        assert!(found.iter().any(|fault| fault.figure.ends_with("is at its vertex")), "{member}: {found:?}");
+    }
+}
+
+#[test]
 #[cfg(feature = "uniform-mesh")]
 fn every_fault_in_a_lattice_is_found() {
     let request = json!({

@@ -220,6 +220,7 @@ fn each_option_of_a_strip_acts_or_is_refused() {
     choices.push(json!({ "objective": { "weights": { "minimal_area": 1, "minimal_twist": 1 } } }));
     choices.truncate(12);
     let normal = choices.remove(5);
+    choices.insert(1, json!({ "objective": "minimal_bending_energy", "rail_tolerance": 0.05 }));
     let bodies =
         vec![json!({ "directrices": rails }), json!({ "directrices": lobes }), json!({ "directrices": reversed })];
     let options = vec![
@@ -232,6 +233,8 @@ fn each_option_of_a_strip_acts_or_is_refused() {
         ("tangents", vec![tangents]),
         ("all_objectives", vec![json!(true)]),
         ("sampling", vec![json!({ "by": "arc_length", "samples": 9 })]),
+        ("rail_tolerance", vec![json!(0.02)]),
+        ("rail_ends", vec![json!("fixed")]),
     ];
     let table = Table { options: options.clone(), choices, bodies, first: 3 };
     println!("{:?}", check(kind("ruled_surface"), &table));

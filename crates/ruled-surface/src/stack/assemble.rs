@@ -48,6 +48,7 @@ pub(crate) fn assemble(
         strips: Vec::new(),
         concave_bridges: Vec::new(),
         comparison: None,
+        rails: None,
         flat_pattern,
         warnings: Vec::new(),
     })

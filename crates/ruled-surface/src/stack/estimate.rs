@@ -1,5 +1,6 @@
 //! The cost of a solve, estimated before the work.
 
+use super::moving::ladder::CELLS_PER_POINT;
 use super::options::{Direction, Options};
 use super::warnings::{BENDING_CHECKED_UP_TO, CLOSED_BENDING_CHECKED_UP_TO};
 use crate::strip::objective::{Goal, Objective};
@@ -11,13 +12,16 @@ const BYTES_PER_POINT: u64 = 250;
 /// Largest memory that points take once more, in bytes. Up to this memory each point takes [`BYTES_PER_POINT`] twice,
 /// because small strips take more for each point.
 const BYTES_OF_FIRST_POINTS: u64 = 2_000_000;
+/// Memory that each point takes in addition if it may move, in bytes: its positions and slopes in the descent, and the
+/// best paths so far.
+const BYTES_PER_MOVING_POINT: u64 = 700;
 /// Memory that each row and each column of a grid takes while it is searched, in bytes.
 const BYTES_PER_LINE: u64 = 400;
 
 /// Estimates the cost of a stack of directrices with these numbers of points. The number of cells assumes that every
 /// search on an open strip visits the whole grid; searches that leave out cells need fewer. A closed strip may need
-/// fewer or somewhat more.
-pub(crate) fn estimate(lengths: &[usize], options: &Options) -> Estimate {
+/// fewer or somewhat more. Points that move do so on `rungs` rungs, with a search on each.
+pub(crate) fn estimate(lengths: &[usize], options: &Options, rungs: u32) -> Estimate {
     let goal = Goal { objective: options.objective, secondary: options.secondary };
     let mut goals = vec![goal];
     if let Objective::Weighted(weights) = options.objective
@@ -29,6 +33,7 @@ pub(crate) fn estimate(lengths: &[usize], options: &Options) -> Estimate {
     for pair in lengths.windows(2) {
         let ends = if options.closed { 0 } else { 2 };
         total.triangles += (pair[0] + pair[1]).saturating_sub(ends) as f64;
+        total.cells += u64::from(rungs) * CELLS_PER_POINT * (pair[0] + pair[1]) as u64;
         if pair[0].min(pair[1]) < 2 {
             continue;
         }
@@ -50,7 +55,7 @@ pub(crate) fn estimate(lengths: &[usize], options: &Options) -> Estimate {
             bytes = bytes.max(grid * layers / 8 + of_convexity + BYTES_PER_LINE * (m + columns));
         };
         for goal in &goals {
-            add(goal, directions);
+            add(goal, directions + u64::from(rungs));
         }
         // The strips of least area are solved too, because the directions and the warnings need them.
         if goal.objective != Objective::MinimalArea {
@@ -67,6 +72,9 @@ pub(crate) fn estimate(lengths: &[usize], options: &Options) -> Estimate {
         total.bytes = total.bytes.max(bytes);
     }
     total.bytes += bytes_of_points(lengths);
+    if options.rail_tolerance.is_some() {
+        total.bytes += BYTES_PER_MOVING_POINT * lengths.iter().sum::<usize>() as u64;
+    }
     if options.all_objectives {
         // The strips of all objectives are in memory at the same time, in addition to the largest grid.
         total.bytes += total.bytes / 4;

@@ -36,6 +36,11 @@ pub struct Options {
     pub all_objectives: bool,
     /// How directrices are resampled before the solve. `None` leaves them as given.
     pub sampling: Option<Sampling>,
+    /// Distance by which each point may move from its own place for the optimum. Points that are resampled have the
+    /// places of the samples. `None` keeps the points.
+    pub rail_tolerance: Option<f64>,
+    /// Whether the ends of open directrices move too, with `rail_tolerance`.
+    pub rail_ends: RailEnds,
 }
 
 impl Default for Options {
@@ -52,6 +57,8 @@ impl Default for Options {
             tangents: None,
             all_objectives: false,
             sampling: None,
+            rail_tolerance: None,
+            rail_ends: RailEnds::Free,
         }
     }
 }
@@ -66,6 +73,18 @@ pub enum Direction {
     AsGiven,
     /// Each directrix but the first is reversed where it runs against the one before it.
     Auto,
+}
+
+/// Whether the ends of open directrices move when the other points do.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub enum RailEnds {
+    #[default]
+    /// The ends move as every other point.
+    Free,
+    /// The ends keep their places.
+    Fixed,
 }
 
 /// Criterion that decided in which direction a directrix is run through.

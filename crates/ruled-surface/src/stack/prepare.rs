@@ -1,11 +1,13 @@
 //! Checks the input of a stack, merges near neighbours of its directrices and resamples them.
 
 use super::caps;
-use super::options::{Caps, DirectionCriterion, Options};
+use super::moving::ladder::Freedom;
+use super::options::{Caps, DirectionCriterion, Options, RailEnds};
 use super::sampling::{self, Sampling};
 use crate::graph::rails::{Given, Rails};
 use crate::graph::weight::BendingLaw;
 use crate::strip::check::{MOST_ERRORS, TOO_FEW_CLOSED, goal_errors, shape_errors, value_errors};
+use crate::strip::objective::Objective;
 use plateau_mesh::codes::WarningCode;
 use plateau_mesh::error::{Error, InputError, Place, Warning};
 use plateau_mesh::execution::{Execution, Interruption};
@@ -94,6 +96,10 @@ pub(crate) fn prepare(
             errors.extend(value_errors(name, &values));
         }
     }
+    if errors.is_empty() {
+        let excess = Freedom::new(directrices, options).and_then(Freedom::excess);
+        errors.extend(excess.map(|detail| InputError::new(Place::field("rail_tolerance"), detail)));
+    }
     if !errors.is_empty() {
         errors.truncate(MOST_ERRORS);
         return Err(Error::Input(errors));
@@ -162,6 +168,25 @@ fn option_errors(directrices: &[Vec<DVec3>], options: &Options) -> Vec<InputErro
     let mut refuse = |place: Place, detail: &str| errors.push(InputError::new(place, detail));
     if options.caps == Caps::Flat && !options.closed {
         refuse(Place::field("caps"), "flat caps close the ends of closed directrices only");
+    }
+    if let Some(tolerance) = options.rail_tolerance {
+        if !(tolerance.is_finite() && tolerance >= 0.0) {
+            refuse(Place::field("rail_tolerance"), "must be finite and not negative");
+        }
+        if options.caps == Caps::Flat {
+            refuse(
+                Place::field("rail_tolerance"),
+                "goes without caps, because points that move leave the planes of the end contours",
+            );
+        }
+        if matches!(options.objective, Objective::Weighted(weights) if weights.normalise) {
+            let detail = "needs a weighted sum whose terms are not normalised, because the optima by which they would \
+                          be divided change with the rails";
+            refuse(Place::field("rail_tolerance"), detail);
+        }
+    }
+    if options.rail_ends == RailEnds::Fixed && options.closed {
+        refuse(Place::field("rail_ends"), "closed directrices have no ends");
     }
     if let Some(sampling) = options.sampling {
         let least = if options.closed { 3 } else { 2 };

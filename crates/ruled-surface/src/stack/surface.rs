@@ -1,5 +1,6 @@
 //! The result of a solve.
 
+use super::moving::MovedRails;
 use super::options::DirectionCriterion;
 use crate::pattern::FlatPattern;
 use crate::strip::objective::{Objective, Secondary};
@@ -35,6 +36,8 @@ pub struct RuledSurface {
     /// Table 1: the figures of the optimum of each objective, if
     /// [`Options::all_objectives`](crate::Options::all_objectives) is set.
     pub comparison: Option<Vec<Comparison>>,
+    /// How far the points moved, if [`Options::rail_tolerance`](crate::Options::rail_tolerance) lets them.
+    pub rails: Option<MovedRails>,
     /// The flat pattern. Closed strips are cut at their bridge of least fold.
     pub flat_pattern: FlatPattern,
     /// Facts about the input or the result that the caller should know.

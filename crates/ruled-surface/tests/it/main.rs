@@ -9,6 +9,7 @@
 )]
 
 mod memory;
+mod moving_rails;
 mod ruled;
 mod ruled_brute_force;
 mod ruled_corridor;

@@ -10,7 +10,7 @@ use crate::audit::surface::{Sides, corners};
 use plateau_archive::Lines;
 use plateau_archive::archive::{BRIDGES, CONCAVE};
 use plateau_mesh::DVec3;
-use plateau_ruled_surface::{Caps, Objective, Secondary};
+use plateau_ruled_surface::{Caps, Objective, RailEnds, Secondary};
 
 /// The figures of all strips together.
 struct Total {
@@ -76,7 +76,7 @@ impl SolverInput {
         let triangles = &contents.mesh.triangles;
         audit.equal("/vertices", contents.mesh.vertices.len());
         if self.options.sampling.is_none() && !audit.warns("projected") {
-            points::at_their_vertices(audit, self.directrices.iter().map(|points| &points[..]));
+            self.compare_places(audit);
         }
         let bridges = contents.line_sets.iter().find(|set| set.name == BRIDGES).map(|set| &set.lines);
         let bridges: &[[u32; 2]] = match bridges {
@@ -100,6 +100,38 @@ impl SolverInput {
         }
     }
 
+    /// Compares the vertices of the given points with the points, and how far they are stated to have moved.
+    fn compare_places(&self, audit: &mut Audit) {
+        let tolerance = self.options.rail_tolerance.unwrap_or(0.0);
+        let ends_move = self.options.rail_ends == RailEnds::Free || self.options.closed;
+        let allowed = |i: usize, count: usize| if ends_move || i > 0 && i + 1 < count { tolerance } else { 0.0 };
+        let moves = points::near_their_vertices(audit, self.directrices.iter().map(|points| &points[..]), allowed);
+        if self.options.rail_tolerance.is_none() {
+            return;
+        }
+        let largest = moves.iter().map(|&(_, distance)| distance).fold(0.0, f64::max);
+        audit.figure("/rails/moved_max", Measured::within(largest, audit.step));
+        let stated = audit.stated_count("/rails/moved_max_vertex");
+        let of_stated = moves.iter().find(|&&(v, _)| v as usize == stated);
+        audit.require(
+            of_stated.is_some_and(|&(_, distance)| distance >= largest - audit.step),
+            || format!("vertex {stated} moved by {largest}"),
+            || of_stated.map_or_else(|| "it has no point".into(), |&(_, distance)| distance.to_string()),
+        );
+    }
+
+    /// Returns the vertices of the mesh with every point of the request in its own place.
+    fn places(&self, audit: &Audit) -> Vec<DVec3> {
+        let mut at = audit.contents.mesh.vertices.clone();
+        for (points, numbers) in self.directrices.iter().zip(&audit.contents.input_vertices) {
+            // In reverse, because merged points follow the point that keeps the vertex.
+            for (&point, &v) in points.iter().zip(numbers).rev() {
+                at[v as usize] = point;
+            }
+        }
+        at
+    }
+
     /// Compares every strip. Returns the sums over the strips and the number of their triangles, which precede the
     /// triangles of the caps. Returns `None` if the bridges do not join the directrices or the audit was cancelled.
     fn compare_strips<'c>(
@@ -114,6 +146,10 @@ impl SolverInput {
         let (mut first_bridge, mut first_triangle) = (0usize, 0usize);
         let mut total: Option<Total> = None;
         let mut marks = Marks::new(audit);
+        // Value of the objective of these bridges on the points in their own places.
+        let is_moved = self.options.rail_tolerance.is_some() && self.options.sampling.is_none();
+        let mut before = is_moved.then(|| Measured::within(0.0, 0.0));
+        let places = before.map_or_else(Vec::new, |_| self.places(audit));
         for k in 0..strips {
             let pointer = format!("/strips/{k}");
             let count = audit.stated_count(&format!("{pointer}/bridges"));
@@ -152,7 +188,21 @@ impl SolverInput {
             }
             self.compare_strip(audit, &pointer, &figures, own.len());
             marks.compare(audit, &pointer, &figures, own);
+            if let Some(sum) = before {
+                let figures = Strip { at: &places, ..strip }.figures();
+                let variation = figures.normal_variation.map(|[one, _]| one.measured());
+                before = self.objective(&figures, variation).map(|of_strip| sum.plus(of_strip));
+            }
             add(&mut total, &figures);
+        }
+        if let (Some(bound), Some(stated)) = (before, audit.stated("/rails/before")) {
+            // The value before is the best of all bridges, so that these are not better.
+            let is_count = self.options.objective == Objective::MaximalConvexity;
+            audit.require(
+                if is_count { stated >= bound.low } else { stated <= bound.high },
+                || "no bridges are better for the points in their own places than those of the value before".into(),
+                || format!("{stated}, and {} of these bridges", bound.value),
+            );
         }
         audit.require(
             first_bridge == bridges.len(),
@@ -200,6 +250,12 @@ impl SolverInput {
             if let Some(measured) = measured {
                 audit.figure(pointer, measured);
             }
+        }
+        if let (Some(before), Some(value)) = (audit.stated("/rails/before"), audit.stated("/objective_value")) {
+            let is_count = self.options.objective == Objective::MaximalConvexity;
+            let gain = if is_count { value - before } else { before - value };
+            audit.figure("/rails/gain", Measured::within(gain, 1e-9 * before.abs()));
+            audit.require(gain >= 0.0, || "the rails moved for no worse value".into(), || gain.to_string());
         }
         for name in ["objective_value", "secondary_value", "normal_variation"] {
             let strips = 0..audit.entries("/strips");
@@ -279,16 +335,7 @@ impl SolverInput {
         if let Some(variation) = variation {
             audit.figure(&format!("{pointer}/normal_variation"), variation);
         }
-        let objective = match self.options.objective {
-            Objective::MinimalArea => Some(figures.area.measured()),
-            Objective::MinimalTwist => Some(figures.twist.measured()).filter(|_| !resampled),
-            Objective::MaximalConvexity => Some(convex),
-            Objective::MinimalBendingEnergy => Some(figures.bending.measured()),
-            Objective::MinimalMeanCurvatureVariation => Some(figures.curvature_variation.measured()),
-            Objective::MinimalNormalVariation => variation,
-            // The result does not contain the optima by which the terms of a weighted sum are divided.
-            _ => None,
-        };
+        let objective = self.objective(figures, variation).filter(|_| !resampled || !self.needs_tangents());
         if let Some(objective) = objective {
             audit.figure(&format!("{pointer}/objective_value"), objective);
         }
@@ -298,6 +345,42 @@ impl SolverInput {
         });
         if let Some(secondary) = secondary {
             audit.figure(&format!("{pointer}/secondary_value"), secondary);
+        }
+    }
+}
+
+impl SolverInput {
+    /// Returns the value of the objective, or `None` if the result does not determine it.
+    fn objective(&self, figures: &Figures, variation: Option<Measured>) -> Option<Measured> {
+        let sums = [figures.area, figures.twist, figures.bending, figures.curvature_variation];
+        let [area, twist, bending, curvature_variation] = sums.map(Sum::measured);
+        match self.options.objective {
+            Objective::MinimalArea => Some(area),
+            Objective::MinimalTwist => Some(twist),
+            Objective::MaximalConvexity => Some(Measured::count(figures.convex)),
+            Objective::MinimalBendingEnergy => Some(bending),
+            Objective::MinimalMeanCurvatureVariation => Some(curvature_variation),
+            Objective::MinimalNormalVariation => variation,
+            // The result does not contain the optima by which the terms of a normalised sum are divided.
+            Objective::Weighted(weights) if !weights.normalise => {
+                let measured = [Some(area), Some(twist), Some(bending), Some(curvature_variation), variation];
+                let terms = weights.terms().map(|(_, weight)| weight).into_iter().zip(measured);
+                let mut sum = Measured::within(0.0, 0.0);
+                for (weight, term) in terms.filter(|&(weight, _)| weight > 0.0) {
+                    sum = sum.plus(term?.times(weight));
+                }
+                Some(sum)
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether the objective depends on tangents, which the result does not contain for resampled directrices.
+    fn needs_tangents(&self) -> bool {
+        match self.options.objective {
+            Objective::MinimalTwist | Objective::MinimalNormalVariation => true,
+            Objective::Weighted(weights) => weights.twist > 0.0 || weights.normal_variation > 0.0,
+            _ => false,
         }
     }
 }

@@ -4,14 +4,16 @@ mod audit;
 mod solve;
 mod statistics;
 
-pub use statistics::{Comparison, ConcaveBridge, FlatPatternStatistics, RuledStatistics, StripStatistics};
+pub use statistics::{
+    Comparison, ConcaveBridge, FlatPatternStatistics, RailStatistics, RuledStatistics, StripStatistics,
+};
 
 use crate::blocks::{self, Block, Input, Output, Part, Preset, Type};
 use crate::checked::{Checked, KindRequest, Types};
 use crate::common::{self, Point};
 use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
 use crate::limits::{self, Limits};
-use crate::options::{Optioned, RequestOption, when};
+use crate::options::{Given, Optioned, RequestOption, when};
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_mesh::Execution;
 use plateau_ruled_surface as geometry;
@@ -132,6 +134,17 @@ pub struct RuledSurfaceRequest {
     /// Rule by which the directrices are resampled before solving. If null, they are used as given.
     #[serde(default)]
     pub sampling: Option<Sampling>,
+    /// Distance, in the request's unit, by which every point of the directrices may move from its own place for the
+    /// optimum (Wang-Tang, section 7). It is at most a quarter of the largest distance of a point from the mean of all
+    /// points. The bridges and the points are improved in turn, which finds a local optimum. Its value is never worse
+    /// than that of the points as given, and never worse than with a smaller tolerance. Samples have the places that
+    /// `sampling` gives them. It is not allowed with `caps`, nor with a weighted sum unless `normalise` is false. If
+    /// null, the points stay.
+    #[serde(default)]
+    pub rail_tolerance: Option<AtLeast0>,
+    /// Whether the ends of open directrices move as the other points do. Needs `rail_tolerance`.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub rail_ends: geometry::RailEnds,
 }
 
 /// Rule by which every directrix is resampled. `extras.input_vertices` of the mesh then maps each given point to the
@@ -240,7 +253,15 @@ impl Optioned for RuledSurfaceRequest {
         RequestOption::always("tangents"),
         RequestOption::always("all_objectives"),
         RequestOption::always("sampling"),
+        RequestOption::always("rail_tolerance"),
+        RequestOption::with("rail_ends", &[&[when("closed", &["false"])]]),
     ];
+
+    fn idle(&self, given: &Given<'_>) -> Vec<FieldError> {
+        let is_idle = given.has("/rail_ends") && self.rail_tolerance.is_none();
+        let detail = "has no effect in this request: it needs rail_tolerance";
+        is_idle.then(|| FieldError::new("/rail_ends", detail)).into_iter().collect()
+    }
 
     fn choice(&self, member: &str) -> &'static str {
         match member {
@@ -268,13 +289,15 @@ impl KindRequest for RuledSurfaceRequest {
         let points: Vec<usize> = directrices.iter().map(Vec::len).collect();
         let mut estimate = geometry::estimate(&points, &options);
         if estimate.cells > limits.grid_cells || estimate.bytes > LARGE_BYTES {
-            // The search for a strip of least area may visit only a small part of its grid.
+            // The search for a strip of least area may visit only a small part of its grid, and rails that move take
+            // fewer rungs for a small tolerance.
             estimate = geometry::estimate_for(&directrices, &options, &Execution::default())?;
         }
         let cells = estimate.cells;
         if cells > limits.grid_cells {
             let detail = format!("needs {cells} grid cells, more than are allowed ({})", limits.grid_cells);
-            return Err(Rejection::TooLarge(vec![FieldError::new("/directrices", detail)]));
+            let pointer = if self.rail_tolerance.is_some() { "/rail_tolerance" } else { "/directrices" };
+            return Err(Rejection::TooLarge(vec![FieldError::new(pointer, detail)]));
         }
         geometry::check(&directrices, &options)?;
         let points: usize = points.iter().sum();
@@ -344,6 +367,8 @@ impl RuledSurfaceRequest {
             tangents: self.tangents.as_deref().map(common::polylines),
             all_objectives: self.all_objectives,
             sampling: self.sampling(),
+            rail_tolerance: self.rail_tolerance.map(AtLeast0::get),
+            rail_ends: self.rail_ends,
         };
         (common::polylines(&self.directrices), options)
     }

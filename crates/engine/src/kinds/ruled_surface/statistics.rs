@@ -96,6 +96,21 @@ pub struct RuledStatistics {
     pub direction_decided_by: Vec<Option<&'static str>>,
     /// Statistics of each objective's optimum (Wang-Tang's Table 1). Null without `all_objectives`.
     pub comparison: Option<Vec<Comparison>>,
+    /// How far the points of the directrices moved, and what that brought. Null without `rail_tolerance`.
+    pub rails: Option<RailStatistics>,
+}
+
+/// Result of `rail_tolerance`.
+#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
+pub struct RailStatistics {
+    /// Largest distance of a point from its own place, in the request's unit.
+    pub moved_max: f64,
+    /// Vertex of the mesh that moved by `moved_max`, the lowest number among equals.
+    pub moved_max_vertex: u32,
+    /// Value of the objective for the points in their own places.
+    pub before: f64,
+    /// Improvement of the objective: `before` less `objective_value`, or the number of further convex bridges.
+    pub gain: f64,
 }
 
 /// Statistics of one objective's optimum.
@@ -175,6 +190,12 @@ impl RuledStatistics {
                 .iter()
                 .map(|criterion| criterion.map(geometry::DirectionCriterion::name))
                 .collect(),
+            rails: surface.rails.map(|rails| RailStatistics {
+                moved_max: rails.moved_max,
+                moved_max_vertex: rails.moved_max_vertex,
+                before: rails.before,
+                gain: rails.gain,
+            }),
             comparison: surface.comparison.as_ref().map(|rows| {
                 let row = |row: &geometry::Comparison| Comparison {
                     objective: row.objective.name(),
