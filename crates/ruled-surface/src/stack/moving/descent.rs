@@ -62,7 +62,8 @@ pub(super) fn descend(
         let step: Vec<DVec3> =
             (0..points.len()).map(|k| balls.project(k, points[k] - length * slopes[k]) - points[k]).collect();
         let promised = dot(&step, &slopes);
-        if !(promised < -CONVERGED * value.abs()) {
+        // A promise that is no number ends the descent too.
+        if promised.is_nan() || promised >= -CONVERGED * value.abs() {
             break;
         }
         let limit = last.iter().rev().take(REMEMBERED).copied().fold(f64::NEG_INFINITY, f64::max);

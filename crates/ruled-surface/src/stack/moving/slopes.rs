@@ -119,9 +119,9 @@ impl<'a> FixedPaths<'a> {
         let mut value = 0.0;
         for (strip, path) in self.paths.iter().enumerate() {
             let (mut before, mut first): (Option<Bent>, Option<Bent>) = (None, None);
-            for k in 0..path.len() {
+            for (k, &bridge) in path.iter().enumerate() {
                 counter.add(CELLS_PER_BRIDGE)?;
-                let about = self.about(strip, path[k]);
+                let about = self.about(strip, bridge);
                 let (sum, curvature) = self.bridge(strip, k, about, points);
                 value += sum.value;
                 scatter(slopes, about, &sum.slopes, 1.0);
