@@ -250,7 +250,7 @@ pub fn is_built(path: &str) -> bool {
     }
 }
 
-/// Asserts that a response is a problem document of this status, and returns it.
+/// Asserts that a response is a problem document of this status, and returns the document.
 pub async fn problem(response: Response, status: u16) -> Value {
     let path = response.url().path().to_owned();
     assert_eq!(response.status().as_u16(), status, "{path}");

@@ -140,7 +140,7 @@ impl Contents {
     fn typed_bytes(&self) -> usize {
         /// A number in a vector. The three numbers of a point are the point.
         const NUMBER: usize = 3 * 8;
-        /// What a list of numbers in a list takes besides the numbers, because the triangles of a mesh are read as one
+        /// A list of numbers in a list takes this besides the numbers, because the triangles of a mesh are read as one
         /// type and kept as another.
         const INNER: usize = 16;
         /// A vector in a vector.

@@ -28,12 +28,12 @@ use plateau_mesh::{Error, Execution, Interruption};
 const LEAST_TANGENTS: [f64; 3] = [0.383_864, 0.267_949, 0.176_327];
 /// Largest number of rounds with one smallest angle and one aim.
 const ROUNDS: u32 = 8;
-/// Curvatures at which the rounds with one smallest angle aim, as fractions of the largest curvature before them,
-/// unless the bound is larger. A later fraction is used when the rounds with an earlier one no longer lower the curvature. A
-/// round that aims low moves nearly all vertices, so that the curvature of single ones may rise.
+/// Curvatures at which the rounds aim, as fractions of the largest curvature before a round. A round aims at the bound
+/// if the bound is larger. A later fraction is used when rounds with the one before no longer lower the curvature, because
+/// a round that aims low moves nearly all vertices, and the curvature of single vertices may then rise.
 const AIMS: [f64; 3] = [0.5, 0.8, 0.95];
-/// A vertex is visited again, as a fraction of the aim. Below 1, because the correction along the normals that
-/// follows changes the curvature a little.
+/// A vertex is visited again while its curvature exceeds this fraction of the aim. The fraction is below 1, because the
+/// correction along the normals that follows changes the curvature a little.
 const UNEVEN: f64 = 0.5;
 /// A vertex does not move if its curvature is below this fraction of the aim.
 const NEGLIGIBLE: f64 = 0.3;
