@@ -29,8 +29,8 @@ const LEAST_TANGENTS: [f64; 3] = [0.383_864, 0.267_949, 0.176_327];
 /// Largest number of rounds with one smallest angle and one aim.
 const ROUNDS: u32 = 8;
 /// Curvatures at which the rounds aim, as fractions of the largest curvature before a round. A round aims at the bound
-/// if the bound is larger. A later fraction is used when rounds with the one before no longer lower the curvature, because
-/// a round that aims low moves nearly all vertices, and the curvature of single vertices may then rise.
+/// if the bound is larger. A later fraction is used when rounds with the one before no longer lower the curvature,
+/// because a round that aims low moves nearly all vertices, and the curvature of single vertices may then rise.
 const AIMS: [f64; 3] = [0.5, 0.8, 0.95];
 /// A vertex is visited again while its curvature exceeds this fraction of the aim. The fraction is below 1, because the
 /// correction along the normals that follows changes the curvature a little.
