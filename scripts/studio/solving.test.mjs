@@ -161,6 +161,24 @@ test('the page is busy from the press that opens something until it is shown, or
   await slow();
   assert.ok('domain' in await request(page), 'of two openings the later one wins');
   await solved(page);
+
+  // A kind whose drawing is at hand is opened at once, also while the example of a kind that was passed is on its way.
+  const choose = (kind) => page.locator(`#kinds label:has([value="${kind}"])`).click();
+  const shows = (kind) => page.waitForFunction((wanted) => window.studio.kind() === wanted, kind);
+  for (const kind of ['minimal_surface', 'uniform_mesh']) {
+    await choose(kind);
+    await shows(kind);
+  }
+  for (const [kind, why] of [['minimal_surface', 'a kind with a drawing of its own'], ['uniform_mesh', 'the kind of the document']]) {
+    await choose('uniform_mesh');
+    await shows('uniform_mesh');
+    const passed = await hold('**/v1/examples/four-cables');
+    await choose('cable_net');
+    await choose(kind);
+    await passed();
+    assert.equal(await page.evaluate(() => window.studio.kind()), kind, why);
+    assert.ok(await page.locator(`#kinds [value="${kind}"]`).isChecked(), why);
+  }
 });
 
 test('each objective of a strip is a tile with its own picture, and one is taken', async () => {

@@ -22,6 +22,11 @@ export async function whileBusy<T>(work: () => Promise<T>): Promise<T> {
   }
 }
 
+/** What is still being fetched will not be opened, because something else was chosen since. */
+export function supersedeOpenings(): void {
+  newestOpening = ask();
+}
+
 /** Uses what `fetch` brings, unless something else is being opened by then: the later of two openings wins. */
 export const opening = <T>(fetch: () => Promise<T>, use: (found: T) => void, fail: (error: unknown, turn: number) => void): Promise<void> => whileBusy(async () => {
   const own = ask();

@@ -11,6 +11,7 @@ import { at, blank, isWhole, KINDS, linesOf, print, type Request, unitOf } from 
 import { forceUnit } from '../panels/cable';
 import type { FormHost } from '../panels/form';
 import { Gizmo } from '../stage/gizmo';
+import { supersedeOpenings } from './busy';
 import { cableModes, foundCable, redraw, showDock } from './drawing';
 import { keep } from './keeping';
 import { setMode } from './modes';
@@ -177,6 +178,7 @@ let documents = 0;
  */
 export function replace(kind: Kind, request: Request, title: string | null, { amend = false } = {}): void {
   abandon();
+  supersedeOpenings();
   session.viewing = false;
   session.cameraGiven = false;
   documents += 1;

@@ -4,7 +4,7 @@
 import { ConnectionFailed, type Kind, NotFound, Unauthorized } from 'plateau-client';
 import { published } from '../api';
 import { isWhole, type Request } from '../model/request';
-import { opening } from './busy';
+import { opening, supersedeOpenings } from './busy';
 import { changed, isLive, replace, showForm, startBlank } from './document';
 import { isKept, type Kept, placeWorld } from './keeping';
 import { say, toast } from './notes';
@@ -44,7 +44,10 @@ const FIRST_OF: Partial<Record<Kind, string>> = { ruled_surface: 'wavy-strip', u
 
 export function switchKind(kind: Kind): void {
   const before = doc();
-  if (before.kind === kind) return;
+  if (before.kind === kind) {
+    supersedeOpenings();
+    return;
+  }
   drafts.set(before.kind, { request: structuredClone(before.request), title: before.title });
   const own = drafts.get(kind);
   const first = server.examples.find((each) => each.kind === kind);
