@@ -108,6 +108,30 @@ pub fn pattern(contents: &Contents, options: &PatternOptions) -> Result<Vec<u8>,
     Ok(bytes)
 }
 
+/// Makes the flat pattern of a result as SVG: the bytes of [`pattern`] for a query that names this format only. A web
+/// page calls this function, because its module then has nothing of what the other options and formats need.
+///
+/// # Errors
+/// Returns [`Refused::NoPattern`] unless the result is a ruled surface.
+pub fn plain_svg(contents: &Contents) -> Result<Vec<u8>, Refused> {
+    let options = PatternOptions::plain(Format::Svg);
+    Ok(svg::to_svg(&plain(contents, &options)?, &options.layers))
+}
+
+/// Makes the flat pattern of a result as DXF, as [`plain_svg`] does as SVG.
+///
+/// # Errors
+/// Returns [`Refused::NoPattern`] unless the result is a ruled surface.
+pub fn plain_dxf(contents: &Contents) -> Result<Vec<u8>, Refused> {
+    let options = PatternOptions::plain(Format::Dxf);
+    Ok(dxf::to_dxf(&plain(contents, &options)?, &options.layers))
+}
+
+fn plain(contents: &Contents, options: &PatternOptions) -> Result<Drawing, Refused> {
+    let figures = divide::of_result(contents, options)?;
+    Ok(drawing::stacked(&figures, options, &contents.title, &contents.generator))
+}
+
 /// Compiles and runs the example of the README with the other doctests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

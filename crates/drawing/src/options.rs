@@ -254,7 +254,16 @@ const GAP: f64 = 5.0;
 /// Smallest distance between notches, in millimetres: less than twice the width of a notch.
 const LEAST_SPACING: f64 = 1e-3;
 
+/// Height of the texts where none is given, in millimetres.
+const TEXT_HEIGHT: f64 = 5.0;
+
 impl PatternOptions {
+    /// Returns the options of a query that names a format only.
+    #[must_use]
+    pub fn plain(format: Format) -> Self {
+        Self { format, text_height: TEXT_HEIGHT, ..Self::default() }
+    }
+
     /// Reads the parameters of a query.
     ///
     /// # Errors
@@ -323,7 +332,7 @@ impl PatternOptions {
             profile,
             format,
             split: split.unwrap_or(profile == Profile::Cut),
-            text_height: text_height.unwrap_or(5.0),
+            text_height: text_height.unwrap_or(TEXT_HEIGHT),
             angles: angles.unwrap_or(profile == Profile::SheetMetal),
             notches,
             allowances: Allowances { p: own[0], q: own[1], ends: own[2] },

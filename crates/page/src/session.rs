@@ -3,7 +3,6 @@
 
 use plateau_archive::Archive;
 use plateau_archive::formats::MeshFormat;
-use plateau_drawing::PatternOptions;
 use plateau_engine::limits::Limits;
 use plateau_engine::report::{Progress, SolveError, Warning};
 use plateau_engine::request::{Drag, Request};
@@ -196,18 +195,17 @@ impl Session {
         self.archive().map_or(&[], |archive| &archive.contents().mesh.triangles)
     }
 
-    /// Makes a file of the last result: its mesh in a format of [`MeshFormat`], or its flat pattern in one of
-    /// [`plateau_drawing::Format`]. Returns `None` if there is no result or only a preview of one, or if the format is
-    /// unknown or cannot have this result.
+    /// Makes a file of the last result: its mesh in a format of [`MeshFormat`], or its flat pattern as `svg` or `dxf`.
+    /// Returns `None` if there is no result or only a preview of one, or if the format is unknown or cannot have this
+    /// result.
     #[must_use]
     pub fn file(&self, format: &str) -> Option<Vec<u8>> {
         let archive = self.archive().filter(|_| self.moved.is_none())?;
-        match MeshFormat::from_name(format) {
-            Some(mesh) => mesh.encode(archive).ok(),
-            None => {
-                let options = PatternOptions::read(&[("format".to_owned(), format.to_owned())]).ok()?;
-                plateau_drawing::pattern(archive.contents(), &options).ok()
-            }
+        match (MeshFormat::from_name(format), format) {
+            (Some(mesh), _) => mesh.encode(archive).ok(),
+            (None, "svg") => plateau_drawing::plain_svg(archive.contents()).ok(),
+            (None, "dxf") => plateau_drawing::plain_dxf(archive.contents()).ok(),
+            (None, _) => None,
         }
     }
 }

@@ -5,7 +5,7 @@ use plateau_archive::Archive;
 use plateau_archive::archive::{bridges_of, strips_of};
 use plateau_drawing::figure::{Figure, figures};
 use plateau_drawing::piece::{Pattern, Piece, Seam, Side};
-use plateau_drawing::{PatternOptions, Refused, pattern, polygon};
+use plateau_drawing::{PatternOptions, Refused, pattern, plain_dxf, plain_svg, polygon};
 use plateau_mesh::{DVec2, DVec3};
 use plateau_ruled_surface::Options;
 use serde_json::Value;
@@ -556,4 +556,12 @@ fn the_described_parameters_are_those_that_are_read() {
     let Refused::BadQuery(errors) = unknown else { panic!("{unknown:?}") };
     let names: Vec<&str> = plateau_drawing::options::PARAMETERS.iter().map(|parameter| parameter.name).collect();
     assert_eq!(errors[0].detail, format!("known parameters are: {}", names.join(", ")));
+}
+
+#[test]
+fn a_plain_pattern_is_that_of_a_query_with_a_format_only() {
+    for (name, archive) in all() {
+        assert_eq!(plain_svg(archive.contents()), make(&archive, "format=svg"), "{name}");
+        assert_eq!(plain_dxf(archive.contents()), make(&archive, "format=dxf"), "{name}");
+    }
 }
