@@ -5,11 +5,14 @@
 //! vertices slide along the film, but their triangles become thinner. The default solver therefore stops sliding early.
 //! With a bound it slides further:
 //!
-//! 1. The vertices slide where their curvature is not far below an aim: a fraction of the largest curvature, or the
-//!    bound if that is larger. No angle falls below 21 degrees.
+//! 1. The vertices slide where their curvature is not far below an aim, which is a fraction of the largest curvature. No
+//!    angle falls below 21 degrees.
 //! 2. Newton's method corrects the film along its normals.
 //! 3. Steps 1 and 2 are repeated until the film is within the bound. If that no longer lowers the curvature, the aim is
 //!    raised, and then smaller angles are allowed.
+//!
+//! The bound only says when the rounds end, and each round lowers the largest curvature. So a smaller bound never ends
+//! at a larger curvature.
 
 use crate::curvature::Curvature;
 use crate::harmonic::too_large;
@@ -28,9 +31,9 @@ use plateau_mesh::{Error, Execution, Interruption};
 const LEAST_TANGENTS: [f64; 3] = [0.383_864, 0.267_949, 0.176_327];
 /// Largest number of rounds with one smallest angle and one aim.
 const ROUNDS: u32 = 8;
-/// Curvatures at which the rounds aim, as fractions of the largest curvature before a round. A round aims at the bound
-/// if the bound is larger. A later fraction is used when rounds with the one before no longer lower the curvature,
-/// because a round that aims low moves nearly all vertices, and the curvature of single vertices may then rise.
+/// Curvatures at which the rounds aim, as fractions of the largest curvature before a round. A later fraction is used
+/// when rounds with the one before no longer lower the curvature, because a round that aims low moves nearly all
+/// vertices, and the curvature of single vertices may then rise.
 const AIMS: [f64; 3] = [0.5, 0.8, 0.95];
 /// A vertex is visited again while its curvature exceeds this fraction of the aim. The fraction is below 1, because the
 /// correction along the normals that follows changes the curvature a little.
@@ -87,7 +90,7 @@ fn rounds(
         for _ in 0..ROUNDS {
             // The gradient that sliding measures is a third of the mean curvature, because the mean curvature refers to
             // a third of the ring's area.
-            let aim = bound.max(fraction * largest) * radius / 3.0;
+            let aim = fraction * largest * radius / 3.0;
             let by =
                 Sliding { full_sweeps: FULL_SWEEPS, uneven: UNEVEN * aim, negligible: NEGLIGIBLE * aim, least_tangent };
             exec.look(film.triangles().len() as u64)?;

@@ -71,3 +71,13 @@ fn a_film_that_cannot_be_within_the_bound_has_not_converged_and_says_so() {
     assert!(warning.code == "not_converged", "{warning:?}");
     assert!(warning.detail.contains("the largest mean curvature is"), "{}", warning.detail);
 }
+
+#[test]
+fn a_smaller_bound_never_ends_at_a_larger_curvature() {
+    let plain = film(Method::default(), None).statistics.mean_curvature.max;
+    let bounds: Vec<f64> = (1..=24).map(|step| plain * 0.85f64.powi(step)).collect();
+    let ends: Vec<f64> =
+        bounds.iter().map(|&bound| film(Method::default(), Some(bound)).statistics.mean_curvature.max).collect();
+    assert!(ends.windows(2).all(|pair| pair[1] <= pair[0]), "{bounds:?}: {ends:?}");
+    assert!(ends[0] <= bounds[0] && ends[23] > bounds[23], "some bounds are met and some are not: {ends:?}");
+}
