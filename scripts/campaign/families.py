@@ -902,13 +902,15 @@ def fault_noisy_frame(random):
 def fault_conic_tent_in_rigid_frame(random):
     count = random.randint(4, 7)
     outline = [[5 * math.cos(TURN * k / count), 5 * math.sin(TURN * k / count), random.uniform(-1, 1)] for k in range(count)]
-    loops = [outline]
+    loops, level = [outline], sum(z for _, _, z in outline) / count
     for k in range(random.choice([1, 2])):
         x = 0 if k == 0 and random.random() < 0.5 else (-1) ** k * random.uniform(1.5, 2.2)
         if k == 1 and loops[1][0][0] * x > 0:
             continue
         tilt, turn, r = random.uniform(0, 0.3), random.uniform(0, TURN), random.uniform(0.5, 1.0)
-        loops.append([[x + r * math.cos(a), random.uniform(-0.1, 0.1) + r * math.sin(a), 1.2 + tilt * r * math.cos(a + turn)]
+        # The film closes off where a ring is about 2.9 times its radius above the outline.
+        top = min(1.2, level + 2.2 * r)
+        loops.append([[x + r * math.cos(a), random.uniform(-0.1, 0.1) + r * math.sin(a), top + tilt * r * math.cos(a + turn)]
                       for a in (TURN * j / 14 for j in range(14))])
     return Case(tensile(loops, random.uniform(0.5, 3), random.choice([None, 800])), (), [never_denied])
 
