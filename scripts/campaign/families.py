@@ -908,7 +908,7 @@ def fault_conic_tent_in_rigid_frame(random):
         if k == 1 and loops[1][0][0] * x > 0:
             continue
         tilt, turn, r = random.uniform(0, 0.3), random.uniform(0, TURN), random.uniform(0.5, 1.0)
-        # The film closes off where a ring is about 2.9 times its radius above the outline.
+        # No film exists where a ring of radius 0.5 is 2.9 radii above the outline, or one of radius 1 is 2.6.
         top = min(1.2, level + 2.2 * r)
         loops.append([[x + r * math.cos(a), random.uniform(-0.1, 0.1) + r * math.sin(a), top + tilt * r * math.cos(a + turn)]
                       for a in (TURN * j / 14 for j in range(14))])
