@@ -209,11 +209,22 @@ export function useStudio({ viewport = { width: 1280, height: 720 }, colorScheme
   return studio;
 }
 
-/** Waits until what is drawn is solved and shown. */
-export const solved = (page) => page.waitForFunction(() => {
-  const shown = window.studio?.shown();
-  return shown && !shown.stale && document.body.getAttribute('aria-busy') === 'false' && document.querySelector('#status').textContent.startsWith('Solved');
-}, null, { timeout: PATIENCE_MS });
+/** Waits until what is drawn is solved and shown. A wait in vain says what the page shows instead. */
+export async function solved(page) {
+  try {
+    await page.waitForFunction(() => {
+      const shown = window.studio?.shown();
+      return shown && !shown.stale && document.body.getAttribute('aria-busy') === 'false' && document.querySelector('#status').textContent.startsWith('Solved');
+    }, null, { timeout: PATIENCE_MS });
+  } catch (error) {
+    const seen = await page.evaluate(() => ({
+      shown: window.studio?.shown(), request: window.studio?.request(), busy: document.body.getAttribute('aria-busy'),
+      status: document.querySelector('#status').textContent, problem: document.querySelector('#problem').textContent,
+    }));
+    error.message += `\nThe page shows ${JSON.stringify(seen)}`;
+    throw error;
+  }
+}
 
 /** Waits until the camera rests and everything is drawn. */
 export const atRest = (page) => page.waitForFunction(() => window.studio.isAtRest(), null, { timeout: PATIENCE_MS });
