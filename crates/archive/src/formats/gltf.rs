@@ -36,6 +36,7 @@ use gltf::json::validation::Checked::{self, Valid};
 use gltf::json::{Asset, Extras, Index, Material, Node, Root};
 use plateau_mesh::measure;
 use plateau_mesh::{DVec3, Mesh};
+use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::colors::{STOPS, Scale};
@@ -71,7 +72,7 @@ pub fn to_glb_scene(title: &str, parts: &[(String, Archive)]) -> Result<Vec<u8>,
     for (name, archive) in parts {
         let coordinates = GltfCoordinates::new(archive.contents(), Origin::Given)?;
         let children = scene.add(archive.contents(), &coordinates, &archive.contents().line_sets, None);
-        let extras = raw(&asset_extras(archive.contents(), &coordinates, None));
+        let extras = raw(&AssetExtras::new(archive.contents(), &coordinates, None));
         let node = Node { name: Some(name.clone()), children: Some(children), extras, ..Node::default() };
         roots.push(scene.node(node, None));
     }
@@ -86,15 +87,9 @@ pub fn to_glb_scene(title: &str, parts: &[(String, Archive)]) -> Result<Vec<u8>,
 /// Returns the errors of [`to_glb`].
 pub fn to_gltf_json(archive: &Archive, choices: Choices) -> Result<Vec<u8>, Error> {
     let scene = scene(archive, choices)?;
-    let mut document = scene.document();
     let mut uri = String::from("data:application/octet-stream;base64,");
     base64::engine::general_purpose::STANDARD.encode_string(&scene.bytes, &mut uri);
-    document["buffers"][0]["uri"] = uri.into();
-    Ok(to_text(&document))
-}
-
-fn to_text(document: &Value) -> Vec<u8> {
-    serde_json::to_vec(document).expect("a JSON value of finite numbers and string keys always has a text")
+    Ok(scene.document(Some(uri)))
 }
 
 /// Conversion of client coordinates to f32 metres around the origin.
@@ -148,13 +143,10 @@ fn scene(archive: &Archive, choices: Choices) -> Result<Scene, Error> {
     let scale = choices.colors.map(|colors| Scale::new(colors, contents, line_sets)).transpose()?;
     let mut scene = Scene::default();
     let nodes = scene.add(contents, &coordinates, line_sets, scale.as_ref());
-    let mut extras = asset_extras(contents, &coordinates, scale.as_ref());
-    let of_the_asset = raw(&extras);
+    let extras = AssetExtras::new(contents, &coordinates, scale.as_ref());
     // The scene repeats all extras except the list of the input's vertices, which may be as long as the mesh.
-    if let Some(figures) = extras.as_object_mut() {
-        figures.remove("input_vertices");
-    }
-    scene.finish(&contents.generator, of_the_asset, &contents.title, nodes, raw(&extras));
+    let of_the_scene = AssetExtras { input_vertices: None, ..extras };
+    scene.finish(&contents.generator, raw(&extras), &contents.title, nodes, raw(&of_the_scene));
     Ok(scene)
 }
 
@@ -253,7 +245,7 @@ impl Scene {
                 .iter()
                 .map(|attribute| (custom(&attribute.name).to_string(), json!({ "unit": attribute.unit })))
                 .collect();
-            let extras = if units.is_empty() { None } else { raw(&units.into()) };
+            let extras = if units.is_empty() { None } else { raw(&units) };
             nodes.push(self.placed_mesh(&name, primitives, coordinates, extras));
         }
         nodes
@@ -429,22 +421,28 @@ impl Scene {
         self.root.scene = Some(Index::push(&mut self.root.scenes, scene));
     }
 
-    /// Returns the document with the translations of its nodes in f64.
-    fn document(&self) -> Value {
-        // The document is converted through its text, in which f32 numbers have few digits. A direct conversion to f64
-        // would give them many.
-        let text = serde_json::to_vec(&self.root).expect("a document of valid items always has a text");
-        let mut document: Value = serde_json::from_slice(&text).expect("the text of a document is JSON");
+    /// Returns the text of the document with the translations of its nodes in f64. `uri` is the buffer as a data URI,
+    /// if the buffer does not follow as a binary part.
+    fn document(&self, uri: Option<String>) -> Vec<u8> {
+        const WRITABLE: &str = "a document of finite numbers and string keys always has a text";
+        let text = serde_json::to_vec(&self.root).expect(WRITABLE);
+        // Only the nodes are read, because long statistics in the extras would take longer than a small mesh.
+        let mut parts: BTreeMap<&str, &RawValue> = serde_json::from_slice(&text).expect("the text is a JSON object");
+        let mut nodes = serde_json::to_value(&self.root.nodes).expect(WRITABLE);
         for (node, translation) in self.translations.iter().enumerate() {
             if let Some(translation) = translation {
-                document["nodes"][node]["translation"] = json!(translation.to_array());
+                nodes[node]["translation"] = json!(translation.to_array());
             }
         }
-        document
+        let nodes = raw(&nodes);
+        let buffers = uri.and_then(|uri| raw(&json!([{ "byteLength": self.bytes.len(), "uri": uri }])));
+        parts.extend(nodes.as_deref().map(|nodes| ("nodes", nodes)));
+        parts.extend(buffers.as_deref().map(|buffers| ("buffers", buffers)));
+        serde_json::to_vec(&parts).expect(WRITABLE)
     }
 
     fn into_glb(self) -> Result<Vec<u8>, Error> {
-        let text = to_text(&self.document());
+        let text = self.document(None);
         let length = 12 + 8 + text.len().next_multiple_of(4) + 8 + self.bytes.len();
         let header = Header {
             magic: *b"glTF",
@@ -471,22 +469,51 @@ fn custom(name: &str) -> Checked<Semantic> {
     Valid(Semantic::Extras(name.to_ascii_uppercase()))
 }
 
-fn raw(extras: &Value) -> Option<Box<RawValue>> {
+fn raw(extras: &impl Serialize) -> Option<Box<RawValue>> {
     serde_json::value::to_raw_value(extras).ok()
 }
 
-fn asset_extras(contents: &Contents, coordinates: &GltfCoordinates, scale: Option<&Scale>) -> Value {
-    let statistics: Value = serde_json::from_str(&contents.statistics).expect("an archive's statistics are JSON");
-    let mut extras = json!({
-        "title": contents.title,
-        "origin": coordinates.origin.to_array(), "unit": contents.unit.symbol(), "up": contents.up.symbol(),
-        "statistics": statistics, "input_vertices": contents.input_vertices,
-    });
-    if let Some(Scale { quantity, min, max, unit }) = scale {
-        extras["color_range"] =
-            json!({ "quantity": quantity.name(), "unit": unit, "min": min, "max": max, "stops": STOPS });
+/// Extras of a file's asset.
+#[derive(Clone, Copy, Serialize)]
+struct AssetExtras<'a> {
+    title: &'a str,
+    origin: [f64; 3],
+    unit: &'a str,
+    up: &'a str,
+    statistics: &'a RawValue,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    input_vertices: Option<&'a [Vec<u32>]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    color_range: Option<ColorRange<'a>>,
+}
+
+#[derive(Clone, Copy, Serialize)]
+struct ColorRange<'a> {
+    quantity: &'a str,
+    unit: &'a str,
+    min: f64,
+    max: f64,
+    stops: [[f64; 3]; STOPS.len()],
+}
+
+impl<'a> AssetExtras<'a> {
+    fn new(contents: &'a Contents, coordinates: &GltfCoordinates, scale: Option<&'a Scale>) -> Self {
+        Self {
+            title: &contents.title,
+            origin: coordinates.origin.to_array(),
+            unit: contents.unit.symbol(),
+            up: contents.up.symbol(),
+            statistics: serde_json::from_str(&contents.statistics).expect("an archive's statistics are JSON"),
+            input_vertices: Some(&contents.input_vertices),
+            color_range: scale.map(|Scale { quantity, min, max, unit }| ColorRange {
+                quantity: quantity.name(),
+                unit,
+                min: *min,
+                max: *max,
+                stops: STOPS,
+            }),
+        }
     }
-    extras
 }
 
 /// Positions that the surface and the lines along it share.
