@@ -391,7 +391,7 @@ async fn a_key_may_do_only_what_its_scopes_name() {
     let app = TestApp::start_with(&[
         ("PLATEAU_AUTH__KEYS_FILE", file.to_str().unwrap()),
         ("PLATEAU_WORKERS", "0"),
-        ("PLATEAU_HTTP__MCP", "true"),
+        ("PLATEAU_HTTP__MCP", if cfg!(feature = "mcp") { "true" } else { "false" }),
     ])
     .await;
     let posted =

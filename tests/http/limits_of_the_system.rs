@@ -113,6 +113,7 @@ async fn a_keys_file_without_keys_is_named_in_the_log() {
 
 /// The libraries of MCP and PostgreSQL would log bodies at this level.
 #[tokio::test]
+#[cfg(feature = "mcp")]
 async fn no_body_is_ever_logged() {
     let folder = tempfile::tempdir().unwrap();
     let environment = [("PLATEAU_LOG__LEVEL", "trace"), ("PLATEAU_HTTP__MCP", "true")];
