@@ -21,6 +21,7 @@ mod settle;
 use super::mixing::Mixing;
 use super::model::{ForceBy, Model, Renewal, Stage};
 use super::options::{CableMode, Chamber, Course, Options, Pressure, Structure, WeaveHold};
+use super::remeshing::WORN_ANGLE;
 use super::weave::StressField;
 use plateau_equilibrium::energy::{PlaneStress, Term};
 use plateau_equilibrium::form_finding::StopReason;
@@ -31,7 +32,7 @@ use plateau_mesh::codes::Reason;
 use plateau_mesh::error::InputError;
 use plateau_mesh::execution::WORK_PER_TRIANGLE;
 use plateau_mesh::sparse::LinearError;
-use plateau_mesh::{DVec3, Error, Execution, Interruption, Progress};
+use plateau_mesh::{DVec3, Error, Execution, Interruption, Progress, measure};
 
 // Tunables.
 
@@ -54,6 +55,10 @@ const MAX_TRAVELLING_REFERENCES: u32 = 800;
 /// so they change slowly, and each change disturbs the shape. With 1e-7 instead of 1e-4 the example conic-tent took 135
 /// more solves.
 const STRESSES_SETTLED: f64 = 3e-5;
+/// The reference shapes of a woven film stand still once a round moves its vertices, in the root mean square, by less
+/// than this multiple of the tolerance times the edge length. Where the forces balance, the last round moved them by
+/// about 0.1.
+const STILL: f64 = 2e-3;
 /// Newton steps of the balance, which is linear but for a pressure.
 const BALANCE_STEPS: u32 = 12;
 /// The residual to which forces are balanced.
@@ -421,6 +426,12 @@ impl Run<'_> {
                 }
             }
             let reached = self.model.unknowns();
+            if self.travels() && self.is_still(&start, &reached, tolerance) && self.is_worn() {
+                // The shape has been found, but a triangle has become so flat that the force at one of its vertices is
+                // large for the vertex's area. The mesh has to be renewed.
+                self.measure(found)?;
+                return Ok(StopReason::Stalled);
+            }
             let mixed = mixing.next(start, reached.clone());
             self.model.set_unknowns(&mixed);
             if !keeps_orientation(self.model.layers[0].film.triangles(), &body.vertices, &self.model.vertices()) {
@@ -430,6 +441,18 @@ impl Run<'_> {
         }
         self.measure(found)?;
         Ok(StopReason::MaxIterations)
+    }
+
+    /// Whether a round that led from one shape to another has moved the vertices by next to nothing.
+    fn is_still(&self, start: &[f64], reached: &[f64], tolerance: f64) -> bool {
+        let squares: f64 = start.iter().zip(reached).map(|(a, b)| (a - b) * (a - b)).sum();
+        let vertices = self.model.layers[0].film.vertices.len() as f64;
+        (squares / vertices).sqrt() < STILL * tolerance * self.model.start_edge
+    }
+
+    /// Whether the film has a triangle that is so flat that the mesh has to be renewed.
+    pub fn is_worn(&self) -> bool {
+        measure::angle_range(&self.model.layers[0].film.mesh()).1 > WORN_ANGLE
     }
 
     /// Step 2.

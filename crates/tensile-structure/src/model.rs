@@ -59,7 +59,7 @@ pub(super) struct Model {
     /// The vertices of the edges with a contact angle.
     pub at_contacts: BTreeSet<u32>,
     /// Mean edge length of the initial mesh, scaled to that of the final mesh.
-    start_edge: f64,
+    pub start_edge: f64,
     /// The stresses of a woven film; `None` for an isotropic one.
     pub stress_field: Option<StressField>,
     pub warnings: Vec<Warning>,

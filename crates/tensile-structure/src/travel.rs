@@ -21,7 +21,7 @@ mod ending;
 use super::form_finding::{Coarse, Ending, Found, Meshes, Run, Stop};
 use super::model::{FirstShape, Model, Renewal, Stage};
 use super::options::{Cable, CableMode, FilmPrestress, Pressure, Sliding, SlidingPart, Structure};
-use super::remeshing::{Fineness, WORN_ANGLE};
+use super::remeshing::Fineness;
 use super::taut_start::{Held, slid_back, taut};
 use super::weave::LARGEST_CHANGE;
 use ending::Watch;
@@ -29,7 +29,7 @@ use plateau_equilibrium::form_finding::{self, FormFinding, Round, StopReason};
 use plateau_equilibrium::settling::{Pace, Settler, energy};
 use plateau_equilibrium::{Body, Determined};
 use plateau_mesh::error::{InputError, Step};
-use plateau_mesh::{DVec3, Error, Progress, measure};
+use plateau_mesh::{DVec3, Error, Progress};
 
 /// Number of triangles of the first, coarsest level. With 100 to 300 triangles random structures are found equally
 /// often.
@@ -217,10 +217,24 @@ impl FormFinding for Travelling<'_, '_> {
         self.run.accept(&mut self.trip, self.found, self.watch)
     }
 
-    /// Goes back to the shape from which Newton's method has failed. After [`MAX_FAILURES`] failures the attempt ends.
-    fn refuse(&mut self, _reason: StopReason, _attempt: u32) -> Result<Option<Self::End>, Stop> {
+    /// Goes back to the shape from which Newton's method has failed, or renews the mesh of a woven film on which it has
+    /// failed. After [`MAX_FAILURES`] failures the attempt ends.
+    fn refuse(&mut self, reason: StopReason, _attempt: u32) -> Result<Option<Self::End>, Stop> {
         let Self { run, trip, found, watch } = self;
-        if let Some(before) = trip.before.take() {
+        let before = trip.before.take();
+        let is_woven = run.model.stress_field.is_some();
+        if is_woven
+            && reason == StopReason::Stalled
+            && run.model.flipped() == 0
+            && run.is_worn()
+            && trip.failures < MAX_FAILURES
+        {
+            trip.failures += 3;
+            run.renew_mesh(trip.edge, 2, trip.is_last, watch)?;
+            trip.settler.restart();
+            return Ok(None);
+        }
+        if let Some(before) = before {
             *run.model = before;
         }
         if trip.failures >= MAX_FAILURES {
@@ -499,8 +513,7 @@ impl Run<'_> {
             trip.settler.restart();
             return Ok(None);
         }
-        let largest_angle = || measure::angle_range(&self.model.layers[0].film.mesh()).1;
-        let is_worn = || watch.last_neck.is_some() || largest_angle() > WORN_ANGLE;
+        let is_worn = || watch.last_neck.is_some() || self.is_worn();
         if trip.failures < MAX_FAILURES && (self.travelled(before.as_ref()) > edge || is_last && is_worn()) {
             // Newton's method moves vertices along the normals, which makes bad triangles, so the mesh is renewed.
             trip.failures += 3;

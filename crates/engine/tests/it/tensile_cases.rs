@@ -342,6 +342,7 @@ fn a_woven_sail_with_a_sharp_corner_is_found() {
 fn woven_sails_with_sharp_corners_travel() {
     has_area("woven_sail_with_four_sharp_corners", 27.8831, 4e-3);
     has_area("woven_sail_with_five_sharp_corners", 34.7870, 4e-3);
+    has_area("woven_sail_with_five_corners_in_strong_warp", 26.1520, 4e-3);
 }
 
 /// Input: woven cones between two rings, higher than a film of equal stresses between them can be. Symptom: the
