@@ -221,8 +221,8 @@ export async function solved(page) {
       shown: window.studio?.shown(), request: window.studio?.request(), busy: document.body.getAttribute('aria-busy'),
       status: document.querySelector('#status').textContent, problem: document.querySelector('#problem').textContent,
     }));
-    error.message += `\nThe page shows ${JSON.stringify(seen)}`;
-    throw error;
+    // The reporter prints the stack, which has the message that an error began with.
+    throw new Error(`${error.message}\nThe page shows ${JSON.stringify(seen)}`, { cause: error });
   }
 }
 

@@ -158,7 +158,8 @@ test('the late answer to a submission does not hide a newer error', async () => 
   const wanted = film();
   await apply(page, wanted);
   const { meddle } = proxy;
-  proxy.meddle = (incoming) => (incoming.url === '/v1/examples/vault' ? 'break' : meddle(incoming));
+  // The page asks for itself until the service is back.
+  proxy.meddle = (incoming) => (incoming.url === '/v1/examples/vault' || incoming.method === 'HEAD' ? 'break' : meddle(incoming));
   await page.click('#open-gallery');
   await page.click('#gallery [data-example="vault"]');
   await page.locator('#problem').waitFor();
@@ -167,6 +168,9 @@ test('the late answer to a submission does not hide a newer error', async () => 
   await endsWith(wanted);
   assert.equal(await page.isVisible('#problem'), true, 'the newer error is still there');
   assert.match(await page.textContent('#problem'), /cannot be reached/);
+  proxy.meddle = meddle;
+  await page.locator('#problem').waitFor({ state: 'hidden' });
+  assert.match(await page.textContent(STATUS), /^Solved/, 'the result keeps its line when the service is back');
 });
 
 test('the late failure of a solve does not hide the error of a newer one', async () => {

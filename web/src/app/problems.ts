@@ -95,10 +95,12 @@ export function showProblem(fault: unknown, turn = ask()): void {
   session.serverFaulty = faulty;
   redraw();
   if (!(fault instanceof ConnectionFailed) || fault.job) return;
+  const { life } = session.requests;
   later.parts?.whenBack(() => {
     if (answered !== turn) return;
     hideProblem();
-    say('The server is back.');
+    // What has been said of a request since then stays.
+    if (session.requests.life === life) say('The server is back.');
   });
 }
 
