@@ -127,7 +127,8 @@ async fn no_body_takes_many_times_its_length_in_memory() {
     ];
     // The first request makes the schemas.
     problem(app.post(MINIMAL, &serde_json::json!({})).await, 422).await;
-    for (shape, path, body) in bodies {
+    // Without Hops its path does not exist, and the answer comes before the body is read.
+    for (shape, path, body) in bodies.into_iter().filter(|&(_, path, _)| cfg!(feature = "hops") || path != hops) {
         let length = body.len() as u64;
         app.forget_peak();
         let before = app.memory();
