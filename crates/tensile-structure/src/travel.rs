@@ -70,7 +70,8 @@ const MAX_STRESS_RENEWALS: u32 = 8;
 const MAX_KICKS: u32 = 3;
 /// Length of a kick, in edge lengths.
 const KICK: f64 = 0.3;
-/// Maximum number of failures of Newton's method in an attempt. Remeshing a converged shape counts as three failures.
+/// Maximum number of failures of Newton's method in an attempt. Remeshing a shape that Newton's method
+/// has reached counts as three failures.
 const MAX_FAILURES: u32 = 12;
 /// Largest number of remeshings that adjust the number of triangles on the last level.
 const CALIBRATIONS: u32 = 4;
@@ -229,9 +230,7 @@ impl FormFinding for Travelling<'_, '_> {
             && run.is_worn()
             && trip.failures < MAX_FAILURES
         {
-            trip.failures += 3;
-            run.renew_mesh(trip.edge, 2, trip.is_last, watch)?;
-            trip.settler.restart();
+            run.renew_reached_mesh(trip, watch)?;
             return Ok(None);
         }
         if let Some(before) = before {
@@ -516,12 +515,10 @@ impl Run<'_> {
         let is_worn = || watch.last_neck.is_some() || self.is_worn();
         if trip.failures < MAX_FAILURES && (self.travelled(before.as_ref()) > edge || is_last && is_worn()) {
             // Newton's method moves vertices along the normals, which makes bad triangles, so the mesh is renewed.
-            trip.failures += 3;
             if is_last && !unstable && watch.last_neck.is_none() {
                 watch.worn = Some(self.model.clone());
             }
-            self.renew_mesh(edge, 2, is_last, watch)?;
-            trip.settler.restart();
+            self.renew_reached_mesh(trip, watch)?;
             return Ok(None);
         }
         if !is_last {
@@ -535,6 +532,14 @@ impl Run<'_> {
         self.model.order_input_first(self.structure);
         found.stop_reason = self.newton(found, self.options.tolerance)?;
         Ok(Some(Arrival::Found))
+    }
+
+    /// Renews the mesh of a shape that Newton's method has reached.
+    fn renew_reached_mesh(&mut self, trip: &mut TravelState, watch: &mut Watch) -> Result<(), Stop> {
+        trip.failures += 3;
+        self.renew_mesh(trip.edge, 2, trip.is_last, watch)?;
+        trip.settler.restart();
+        Ok(())
     }
 
     /// The largest distance of a vertex from its position in `before`.

@@ -99,7 +99,7 @@ export function showProblem(fault: unknown, turn = ask()): void {
   later.parts?.whenBack(() => {
     if (answered !== turn) return;
     hideProblem();
-    // What has been said of a request since then stays.
+    // The status keeps the news of a request that went on since the failure.
     if (session.requests.life === life) say('The server is back.');
   });
 }
