@@ -337,8 +337,8 @@ fn a_woven_sail_with_a_sharp_corner_is_found() {
 
 /// Input: plane woven sails whose corners are all sharp; the areas are those of their polygons less segments of
 /// ellipses. Symptom of the first two: the mesh with which the search began was renewed where it had worn, but had no
-/// vertices where the edges went to, so that one sail was not converged and the other was not found. Symptom of the third:
-/// a triangle closed while the shape settled, so that the forces never balanced to the tolerance.
+/// vertices where the edges went to, so that one sail was not converged and the other was not found. Symptom of the
+/// third: a triangle closed while the shape settled, so that the forces never balanced to the tolerance.
 #[test]
 fn woven_sails_with_sharp_corners_travel() {
     has_area("woven_sail_with_four_sharp_corners", 27.8831, 4e-3);
