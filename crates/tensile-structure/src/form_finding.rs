@@ -56,8 +56,8 @@ const MAX_TRAVELLING_REFERENCES: u32 = 800;
 /// more solves.
 const STRESSES_SETTLED: f64 = 3e-5;
 /// The reference shapes of a woven film stand still once a round moves its vertices, in the root mean square, by less
-/// than this multiple of the tolerance times the edge length. Where the forces balance, the last round moved the vertices
-/// by about 0.1 times the tolerance times the edge length.
+/// than this multiple of the tolerance times the edge length. Where the forces balance, the last round moved the
+/// vertices by about 0.1 times the tolerance times the edge length.
 const STILL: f64 = 2e-3;
 /// Newton steps of the balance, which is linear but for a pressure.
 const BALANCE_STEPS: u32 = 12;
