@@ -24,9 +24,9 @@ use super::body::Body;
 use super::constraint::Determined;
 use super::dense::Lu;
 use super::freedom::Freedom;
-use plateau_mesh::DVec3;
 use plateau_mesh::measure::double_area_vector;
 use plateau_mesh::sparse::{LinearError, Symbolic};
+use plateau_mesh::{DVec3, Execution, Interruption};
 use springs::Springs;
 
 /// Cosine of the largest angle by which a step may turn a triangle (60°). With any angle from 30° to 80° the solver
@@ -81,6 +81,27 @@ pub struct Round {
     pub energy: f64,
 }
 
+/// Why a round was not made.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Unsettled {
+    /// The caller wants the solver to stop.
+    Interrupted(Interruption),
+    /// The matrix of the springs and constraints is singular, or the linear solver refuses it for another reason.
+    Refused(LinearError),
+}
+
+impl From<Interruption> for Unsettled {
+    fn from(interruption: Interruption) -> Self {
+        Self::Interrupted(interruption)
+    }
+}
+
+impl From<LinearError> for Unsettled {
+    fn from(error: LinearError) -> Self {
+        Self::Refused(error)
+    }
+}
+
 /// The state that each round passes to the next: the multipliers and the last direction.
 #[derive(Clone, Debug, Default)]
 pub struct Settler {
@@ -110,11 +131,12 @@ impl Settler {
     }
 
     /// Moves the body's vertices by one round. `edge` is the edge length of the mesh. Constraints that are kept at a
-    /// value or yield are taken into account; those that are determined by a condition are ignored.
+    /// value or yield are taken into account; those that are determined by a condition are ignored. The round looks at
+    /// the signal before and after the sparse factorisation, which takes most of its time.
     ///
     /// # Errors
-    /// The linear solver's error, if the matrix of the springs and constraints is singular.
-    pub fn round(&mut self, body: &mut Body, edge: f64, pace: Pace) -> Result<Round, LinearError> {
+    /// [`Unsettled`]; the body is then as it was before.
+    pub fn round(&mut self, body: &mut Body, edge: f64, pace: Pace, exec: &Execution) -> Result<Round, Unsettled> {
         let at = body.vertices.clone();
         self.multipliers.resize(body.constraints.len(), 0.0);
         let mut gradient = vec![DVec3::ZERO; at.len()];
@@ -139,7 +161,7 @@ impl Settler {
             rows.push(Row { gradient: own, compliance, missing: -excess });
             of_row.push(k);
         }
-        let (direction, changes) = self.direction(body, &at, &gradient, &rows)?;
+        let (direction, changes) = self.direction(body, &at, &gradient, &rows, exec)?;
         for (&k, change) in of_row.iter().zip(changes) {
             self.multipliers[k] -= change;
         }
@@ -192,13 +214,16 @@ impl Settler {
         at: &[DVec3],
         gradient: &[DVec3],
         rows: &[Row],
-    ) -> Result<(Vec<DVec3>, Vec<f64>), LinearError> {
+        exec: &Execution,
+    ) -> Result<(Vec<DVec3>, Vec<f64>), Unsettled> {
         let springs = Springs::new(body, at, gradient, &self.multipliers);
         let mut right = Vec::new();
         springs.reduce(gradient, &mut right);
         rows.iter().for_each(|row| springs.reduce(&row.gradient, &mut right));
+        exec.look(at.len() as u64)?;
         let factorised = Symbolic::analyse(&springs.matrix, None)?;
         factorised.factorise(&springs.matrix)?.solve(&mut right)?;
+        exec.look(at.len() as u64)?;
         let mut solutions = right.chunks_exact(springs.order().max(1)).map(|solution| springs.displacements(solution));
         let Some(mut direction) = solutions.next() else { return Ok((vec![DVec3::ZERO; at.len()], Vec::new())) };
         direction.iter_mut().for_each(|d| *d = -*d);
@@ -209,7 +234,7 @@ impl Settler {
         let wanted: Vec<f64> = rows.iter().map(|row| dot(&row.gradient, &direction) - row.missing).collect();
         let changes = schur.solve(&wanted);
         if changes.iter().any(|change| !change.is_finite()) {
-            return Err(LinearError::Singular);
+            return Err(LinearError::Singular.into());
         }
         for (change, own) in changes.iter().zip(&of_rows) {
             direction.iter_mut().zip(own).for_each(|(d, y)| *d -= *change * *y);
@@ -319,4 +344,35 @@ pub(crate) fn keeps_mesh(triangles: &[[u32; 3]], before: &[DVec3], after: &[DVec
         let is = quality(new, grown);
         normal.dot(turned) >= LEAST_COSINE * size * grown && (is >= LEAST_QUALITY || is >= 0.5 * quality(old, size))
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::energy::finite_differences::patch;
+    use plateau_mesh::Signal;
+    use plateau_mesh::complex::Complex;
+    use std::cell::Cell;
+
+    #[test]
+    fn a_round_looks_at_the_signal_on_both_sides_of_its_factorisation() {
+        let (vertices, triangles) = patch();
+        let complex = Complex::build(triangles, vertices.len()).unwrap();
+        for looks in [0, 1, 2] {
+            let mut body = Body::new(vertices.clone(), &complex, &[1.0]);
+            let seen = Cell::new(0);
+            let signal = || {
+                seen.set(seen.get() + 1);
+                if seen.get() > looks { Signal::Cancel } else { Signal::Continue }
+            };
+            let round = Settler::default().round(&mut body, 1.0, Pace::BOLD, &Execution::new(&signal, &|_| {}));
+            if looks < 2 {
+                assert_eq!(round, Err(Unsettled::Interrupted(Interruption::Cancelled)), "{looks} looks");
+                assert_eq!(body.vertices, vertices);
+            } else {
+                assert!(round.unwrap().moved > 0.0);
+                assert_ne!(body.vertices, vertices);
+            }
+        }
+    }
 }

@@ -26,7 +26,7 @@ use super::taut_start::{Held, slid_back, taut};
 use super::weave::LARGEST_CHANGE;
 use ending::Watch;
 use plateau_equilibrium::form_finding::{self, FormFinding, Round, StopReason};
-use plateau_equilibrium::settling::{Pace, Settler, energy};
+use plateau_equilibrium::settling::{Pace, Settler, Unsettled, energy};
 use plateau_equilibrium::{Body, Determined};
 use plateau_mesh::error::{InputError, Step};
 use plateau_mesh::{DVec3, Error, Progress};
@@ -446,9 +446,10 @@ impl Run<'_> {
         }
         self.look()?;
         self.count_solve("settle", energy(&body, &body.vertices))?;
-        let round = match trip.settler.round(&mut body, edge, pace) {
+        let round = match trip.settler.round(&mut body, edge, pace, self.exec) {
             Ok(round) => round,
-            Err(error) => {
+            Err(Unsettled::Interrupted(interruption)) => return Err(Error::from(interruption).into()),
+            Err(Unsettled::Refused(error)) => {
                 let detail = format!("nothing holds the structure: {error:?}");
                 return Ok(Round::Ended(Arrival::Lost(Ending::NotFound(detail))));
             }
