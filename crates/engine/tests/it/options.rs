@@ -75,7 +75,8 @@ struct Table {
 }
 
 /// Options that are refused at another member, because that member is required or would have to change.
-const ELSEWHERE: [(&str, &str); 6] = [
+const ELSEWHERE: [(&str, &str); 7] = [
+    ("caps", "/rail_tolerance"),
     ("optimise", "/max_distinct_lengths"),
     ("optimise_nodes", "/optimise"),
     ("solver", "/topology"),
@@ -221,6 +222,8 @@ fn each_option_of_a_strip_acts_or_is_refused() {
     choices.truncate(12);
     let normal = choices.remove(5);
     choices.insert(1, json!({ "objective": "minimal_bending_energy", "rail_tolerance": 0.05 }));
+    // Closed rails have no ends, which `rail_ends` could keep.
+    choices.insert(2, json!({ "objective": "minimal_bending_energy", "rail_tolerance": 0.05, "closed": true }));
     let bodies =
         vec![json!({ "directrices": rails }), json!({ "directrices": lobes }), json!({ "directrices": reversed })];
     let options = vec![
@@ -236,7 +239,7 @@ fn each_option_of_a_strip_acts_or_is_refused() {
         ("rail_tolerance", vec![json!(0.02)]),
         ("rail_ends", vec![json!("fixed")]),
     ];
-    let table = Table { options: options.clone(), choices, bodies, first: 3 };
+    let table = Table { options: options.clone(), choices, bodies, first: 4 };
     println!("{:?}", check(kind("ruled_surface"), &table));
     let rail = |y: f64, height: f64, phase: f64| -> Vec<[f64; 3]> {
         (0..9).map(f64::from).map(|x| [x, y, height * (1.3 * x + phase).sin()]).collect()
