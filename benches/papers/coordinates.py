@@ -9,6 +9,7 @@ the parameters; where it gives a picture only, the formula below is ours.
 import json
 import math
 import os
+from random import Random
 
 PI, TAU = math.pi, math.tau
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "requests")
@@ -98,6 +99,20 @@ def shoe():
     return [rounded(map(curve, angles)) for curve in (lower, upper)], [rounded(row) for row in normals]
 
 
+def arcs(noise):
+    """Two arcs of half a cylinder, 20 points each, the second of which leans; each point moves by at most `noise`."""
+    random = Random(68)
+
+    def near(point):
+        direction = [random.gauss(0, 1) for _ in point]
+        distance = noise * random.random() ** (1 / 3) / math.hypot(*direction)
+        return tuple(a + distance * b for a, b in zip(point, direction))
+
+    angles = [PI * k / 19 for k in range(20)]
+    return [rounded(near((math.cos(t), math.sin(t), height + lean * math.cos(t))) for t in angles)
+            for height, lean in ((0, 0), (1, 0.2))]
+
+
 def membrane():
     points = []
     for k in range(9):
@@ -137,6 +152,8 @@ def requests():
     rails, normals = shoe()
     yield "wt-3", {**strips, "objective": "minimal_bending_energy", "directrices": [helix(1), helix(1.5)]}
     yield "wt-5", {**strips, "objective": "minimal_normal_variation", "normals": normals, "directrices": rails}
+    yield "wt-7-clean", {**strips, "objective": "minimal_bending_energy", "directrices": arcs(0)}
+    yield "wt-7-noisy", {**strips, "objective": "minimal_bending_energy", "directrices": arcs(0.02)}
 
 
 def main():

@@ -211,14 +211,15 @@ def bento_cavalcanti():
                     name, solver="pinkall_polthier", topology="free", initial_mesh="rings", tolerance=0,
                     linear_solver=linear, degenerate_angle_deg=rules, max_iterations=200, area_tolerance=1e-6 if rules else 0))
             if rules:
-                yield row(shown, "", "**default**", made(name, topology="free"))
+                yield row(shown, "on", "**default**", made(name, topology="free"))
         shown = "Fig. 9: cut cylinder"
         for linear in ("direct", "conjugate_gradients"):
             yield row(shown, "on", linear, example("cut-cylinder", linear_solver=linear))
+        yield row(shown, "on, 8°", "direct", example("cut-cylinder", degenerate_angle_deg=8))
         yield row(shown, "off", "direct", example("cut-cylinder", degenerate_angle_deg=0))
         kept = ("kind", "units", "boundaries", "boundary_sampling", "initial_mesh", "resolution")
         plain = {key: value for key, value in example("cut-cylinder").items() if key in kept}
-        yield row(shown, "", "**default**", plain)
+        yield row(shown, "none", "**default**", plain)
 
     table(["example", "rules", "linear solver", "steps", "stopped by", "components", "area", "triangles", "angles",
            "degenerate triangles"], rings())
@@ -346,6 +347,19 @@ def wang_tang():
         yield from block("two ovals", made("wt-5"), theirs["v"])
 
     table(["rails", *columns[1:]], others())
+
+    def moved():
+        for objective in alone:
+            counts = objective == "maximal_convexity"
+            cells = []
+            for name, tolerance in [("clean", None), ("noisy", None), ("noisy", 0.01), ("noisy", 0.02), ("noisy", 0.04)]:
+                request = made(f"wt-7-{name}", objective=objective, rail_tolerance=tolerance)
+                statistics = solve(SERVICE, request)[0]["statistics"]
+                value = statistics["objective_value"]
+                cells.append(f"{statistics['bridges'] - value:.0f}" if counts else f"{value:.3f}")
+            yield [objective.replace("_", " ") + (": bridges that are not convex" if counts else ""), *cells]
+
+    table(["objective", "clean", "with noise", "tolerance d/2", "d", "2d"], moved())
 
 
 PAPERS = {"chen-cai-zheng": chen_cai_zheng, "liu-wang": liu_wang, "bento-cavalcanti": bento_cavalcanti,
