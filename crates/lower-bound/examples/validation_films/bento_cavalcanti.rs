@@ -25,24 +25,26 @@ pub fn run_all(save: Save) {
             ..Options::new(Resolution::Triangles(576))
         };
         let meshes = steps.map(|steps| run(&rings(&[0.0, height]), &options(steps)).mesh);
-        let titles = steps.map(|steps| if steps == 200 { String::from("end") } else { format!("step {steps}") });
-        let pictures: Vec<Picture> =
-            titles.into_iter().zip(&meshes).map(|(t, mesh)| Picture::shaded(t, mesh)).collect();
-        save(name, &pictures);
+        save(name, &pictures(steps, &meshes));
     }
-    let mut pictures = Vec::new();
-    let (boundary, mesh) = cut_cylinder(36, 6, 20.0, 0.2);
-    for steps in [1, 8, 16, 200] {
+    let (boundary, mesh) = cut_cylinder(24, 4, 16.0, 0.2);
+    let steps = [1, 8, 16, 200];
+    let meshes = steps.map(|steps| {
         let options = Options {
             method: Method::PinkallPolthier(PinkallPolthier { cut_necks: true, ..PinkallPolthier::default() }),
             initial_mesh: InitialMesh::Given(mesh.clone()),
             max_iterations: Some(steps),
             ..Options::new(Resolution::Triangles(1))
         };
-        pictures.push((format!("step {steps}"), run(std::slice::from_ref(&boundary), &options).mesh));
-    }
-    let pictures: Vec<Picture> = pictures.iter().map(|(title, mesh)| Picture::shaded(title, mesh)).collect();
-    save("bento_cavalcanti_9", &pictures);
+        run(std::slice::from_ref(&boundary), &options).mesh
+    });
+    save("bento_cavalcanti_9", &pictures(steps, &meshes));
+}
+
+/// The films after these many steps, of which there are at most 200.
+fn pictures(steps: [u32; 4], meshes: &[Mesh; 4]) -> Vec<Picture<'_>> {
+    let title = |steps| if steps == 200 { String::from("end") } else { format!("step {steps}") };
+    steps.into_iter().zip(meshes).map(|(steps, mesh)| Picture::shaded(title(steps), mesh)).collect()
 }
 
 /// A cylinder that is cut along a line and opened by an angle. Returns its only boundary loop, and its mesh.
