@@ -332,7 +332,7 @@ const FILES: &[(&str, &str, &str)] = &[
     ),
 ];
 
-/// Returns all examples in the order of the list.
+/// Returns the examples in the order of the list. A build without certificates has none that asks for one.
 #[must_use]
 pub fn examples() -> &'static [Example] {
     static EXAMPLES: LazyLock<Vec<Example>> = LazyLock::new(|| {
@@ -344,6 +344,7 @@ pub fn examples() -> &'static [Example] {
                     request["kind"].as_str().and_then(Kind::from_name).expect("an embedded example names its kind");
                 Example { name, kind, title, request }
             })
+            .filter(|example| cfg!(feature = "certificates") || example.request.get("certify").is_none())
             .collect()
     });
     &EXAMPLES

@@ -191,10 +191,12 @@ pub fn example(name: &str) -> Value {
     serde_json::from_str(&text).expect("JSON")
 }
 
+/// The names of the examples that this build of the program takes.
 pub fn example_names() -> Vec<String> {
     let mut names: Vec<String> = std::fs::read_dir(root().join("api/examples"))
         .expect("the folder")
         .map(|entry| Path::new(&entry.expect("an entry").file_name()).file_stem().unwrap().to_str().unwrap().to_owned())
+        .filter(|name| cfg!(feature = "certificates") || example(name).get("certify").is_none())
         .collect();
     names.sort();
     names

@@ -88,6 +88,9 @@ async fn every_link_of_a_succeeded_job_leads_to_something() {
         (RULED, example("contour-stack"), &["mesh", "pattern"]),
         (UNIFORM, example("floor-fewest-nodes"), &["mesh"]),
     ] {
+        if request.get("certify").is_some() && cfg!(not(feature = "certificates")) {
+            continue;
+        }
         let job = app.solve(path, &request).await;
         let links: Vec<&str> =
             names(&job["links"]).into_iter().filter(|name| !["events", "request", "self"].contains(name)).collect();
