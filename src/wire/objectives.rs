@@ -350,6 +350,13 @@ pub fn examples() -> &'static [Example] {
     &EXAMPLES
 }
 
+/// Returns the names of all examples, also of those that this build leaves out, because every build has the same API
+/// document.
+#[must_use]
+pub fn example_names() -> Vec<&'static str> {
+    FILES.iter().map(|&(name, ..)| name).collect()
+}
+
 #[must_use]
 pub fn example_list() -> ExampleList {
     let summary = |example: &Example| ExampleSummary { name: example.name, kind: example.kind, title: example.title };

@@ -62,7 +62,7 @@ pub async fn example(Path(name): Path<String>) -> Result<Json<&'static Example>,
 }
 
 pub fn example_entry() -> Value {
-    let names: Vec<&str> = objectives::examples().iter().map(|example| example.name).collect();
+    let names = objectives::example_names();
     json!({ "operationId": "getExample", "tags": ["catalogue"], "summary": "An example request",
         "parameters": [name_parameter("name", "Name of the example.", &names)],
         "responses": with_problems(json!({ "200": json_response("The request", "Example") }), &[("404", "NotFound")]) })
