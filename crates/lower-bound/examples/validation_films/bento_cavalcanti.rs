@@ -41,7 +41,7 @@ pub fn run_all(save: Save) {
     save("bento_cavalcanti_9", &pictures(steps, &meshes));
 }
 
-/// The films after these many steps, of which there are at most 200.
+/// Makes the pictures of the films after these numbers of steps. A run ends after 200 steps at the latest.
 fn pictures(steps: [u32; 4], meshes: &[Mesh; 4]) -> Vec<Picture<'_>> {
     let title = |steps| if steps == 200 { String::from("end") } else { format!("step {steps}") };
     steps.into_iter().zip(meshes).map(|(steps, mesh)| Picture::shaded(title(steps), mesh)).collect()
