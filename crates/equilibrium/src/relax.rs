@@ -3,8 +3,8 @@
 use super::body::{Body, BodyDefect};
 use super::motion::{Frame, Motion};
 use super::newton::{Direct, Equations, Outcome, Settings, State, iterate};
-use super::stability::{self, Stability, Unknown, WithMargin};
-use plateau_mesh::sparse::LinearError;
+use super::stability::{self, Stability, WithMargin};
+use plateau_mesh::sparse::{LinearError, Unsolved};
 use plateau_mesh::{DVec3, Execution};
 
 /// How [`Body::relax`] ended.
@@ -87,8 +87,8 @@ impl Body {
                     report.stability = Some(variation.stability());
                     report.lowest_mode = Some(motion.displacements(&state, &variation.lowest.vector));
                 }
-                Ok(None) | Err(Unknown::Refused(_)) => {}
-                Err(Unknown::Interrupted(interruption)) => report.outcome = Outcome::Interrupted(interruption),
+                Ok(None) | Err(Unsolved::Refused(_)) => {}
+                Err(Unsolved::Interrupted(interruption)) => report.outcome = Outcome::Interrupted(interruption),
             }
         }
         drop(motion);

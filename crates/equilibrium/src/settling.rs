@@ -25,8 +25,8 @@ use super::constraint::Determined;
 use super::dense::Lu;
 use super::freedom::Freedom;
 use plateau_mesh::measure::double_area_vector;
-use plateau_mesh::sparse::{LinearError, Symbolic};
-use plateau_mesh::{DVec3, Execution, Interruption};
+use plateau_mesh::sparse::{LinearError, Symbolic, Unsolved};
+use plateau_mesh::{DVec3, Execution};
 use springs::Springs;
 
 /// Cosine of the largest angle by which a step may turn a triangle (60°). With any angle from 30° to 80° the solver
@@ -81,27 +81,6 @@ pub struct Round {
     pub energy: f64,
 }
 
-/// Why a round was not made.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Unsettled {
-    /// The caller wants the solver to stop.
-    Interrupted(Interruption),
-    /// The matrix of the springs and constraints is singular, or the linear solver refuses it for another reason.
-    Refused(LinearError),
-}
-
-impl From<Interruption> for Unsettled {
-    fn from(interruption: Interruption) -> Self {
-        Self::Interrupted(interruption)
-    }
-}
-
-impl From<LinearError> for Unsettled {
-    fn from(error: LinearError) -> Self {
-        Self::Refused(error)
-    }
-}
-
 /// The state that each round passes to the next: the multipliers and the last direction.
 #[derive(Clone, Debug, Default)]
 pub struct Settler {
@@ -135,8 +114,8 @@ impl Settler {
     /// the signal before and after the sparse factorisation, which takes most of its time.
     ///
     /// # Errors
-    /// [`Unsettled`]; the body is then as it was before.
-    pub fn round(&mut self, body: &mut Body, edge: f64, pace: Pace, exec: &Execution) -> Result<Round, Unsettled> {
+    /// [`Unsolved`]; the body is then as it was before.
+    pub fn round(&mut self, body: &mut Body, edge: f64, pace: Pace, exec: &Execution) -> Result<Round, Unsolved> {
         let at = body.vertices.clone();
         self.multipliers.resize(body.constraints.len(), 0.0);
         let mut gradient = vec![DVec3::ZERO; at.len()];
@@ -215,7 +194,7 @@ impl Settler {
         gradient: &[DVec3],
         rows: &[Row],
         exec: &Execution,
-    ) -> Result<(Vec<DVec3>, Vec<f64>), Unsettled> {
+    ) -> Result<(Vec<DVec3>, Vec<f64>), Unsolved> {
         let springs = Springs::new(body, at, gradient, &self.multipliers);
         let mut right = Vec::new();
         springs.reduce(gradient, &mut right);
@@ -350,8 +329,8 @@ pub(crate) fn keeps_mesh(triangles: &[[u32; 3]], before: &[DVec3], after: &[DVec
 mod tests {
     use super::*;
     use crate::energy::finite_differences::patch;
-    use plateau_mesh::Signal;
     use plateau_mesh::complex::Complex;
+    use plateau_mesh::{Interruption, Signal};
     use std::cell::Cell;
 
     #[test]
@@ -367,7 +346,7 @@ mod tests {
             };
             let round = Settler::default().round(&mut body, 1.0, Pace::BOLD, &Execution::new(&signal, &|_| {}));
             if looks < 2 {
-                assert_eq!(round, Err(Unsettled::Interrupted(Interruption::Cancelled)), "{looks} looks");
+                assert_eq!(round, Err(Unsolved::Interrupted(Interruption::Cancelled)), "{looks} looks");
                 assert_eq!(body.vertices, vertices);
             } else {
                 assert!(round.unwrap().moved > 0.0);

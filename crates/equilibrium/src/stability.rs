@@ -25,7 +25,7 @@ use super::newton::{Direct, Equations, State};
 use plateau_mesh::codes::WarningCode;
 use plateau_mesh::error::Warning;
 use plateau_mesh::random::SplitMix64;
-use plateau_mesh::sparse::{LinearError, Symbolic, SymmetricMatrix, dot};
+use plateau_mesh::sparse::{LinearError, Symbolic, SymmetricMatrix, Unsolved, dot};
 use plateau_mesh::{DVec3, Execution, Interruption};
 
 /// The iteration for the lowest eigenvalue ends when the eigenvalue changes by less than this fraction of itself, or of
@@ -224,36 +224,16 @@ pub enum WithMargin {
     No,
 }
 
-/// Why the stability is not known.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unknown {
-    /// No factorisation is possible: a degenerate mesh.
-    Refused(LinearError),
-    Interrupted(Interruption),
-}
-
-impl From<LinearError> for Unknown {
-    fn from(error: LinearError) -> Self {
-        Self::Refused(error)
-    }
-}
-
-impl From<Interruption> for Unknown {
-    fn from(interruption: Interruption) -> Self {
-        Self::Interrupted(interruption)
-    }
-}
-
 /// A second variation, factorised with its constraints' border. `None` if its inertia is not certain.
 ///
 /// # Errors
-/// See [`Unknown`].
+/// See [`Unsolved`].
 fn certain<'a>(
     symbolic: &'a Symbolic,
     matrix: &'a SymmetricMatrix,
     constraints: &'a [ConstraintState],
     exec: &Execution,
-) -> Result<Option<Bordered<'a>>, Unknown> {
+) -> Result<Option<Bordered<'a>>, Unsolved> {
     let bordered = symbolic.factorise(matrix).and_then(|factorisation| Bordered::new(factorisation, constraints));
     match bordered {
         Ok(bordered) => Ok(bordered.is_certain(exec)?.then_some(bordered)),
@@ -267,7 +247,7 @@ fn certain<'a>(
 /// scale 1/R².
 ///
 /// # Errors
-/// See [`Unknown`].
+/// See [`Unsolved`].
 fn bounds(
     symbolic: &Symbolic,
     matrix: &SymmetricMatrix,
@@ -275,7 +255,7 @@ fn bounds(
     unit: f64,
     constraints: &[ConstraintState],
     exec: &Execution,
-) -> Result<MorseIndex, Unknown> {
+) -> Result<MorseIndex, Unsolved> {
     let scale: Vec<f64> = matrix.absolute_row_sums().zip(mass).map(|(sum, mass)| sum + unit * mass).collect();
     let mut index = MorseIndex { least: 0, most: mass.len() };
     for sign in [1.0, -1.0] {
@@ -297,7 +277,7 @@ fn bounds(
 /// eigenvalue scale 1/R².
 ///
 /// # Errors
-/// See [`Unknown`].
+/// See [`Unsolved`].
 pub fn morse_index(
     symbolic: &Symbolic,
     matrix: &SymmetricMatrix,
@@ -305,7 +285,7 @@ pub fn morse_index(
     unit: f64,
     constraints: &[ConstraintState],
     exec: &Execution,
-) -> Result<MorseIndex, Unknown> {
+) -> Result<MorseIndex, Unsolved> {
     match certain(symbolic, matrix, constraints, exec)? {
         Some(bordered) => Ok(MorseIndex::exactly(bordered.index())),
         None => bounds(symbolic, matrix, mass, unit, constraints, exec),
@@ -316,7 +296,7 @@ pub fn morse_index(
 /// that cannot move because it has no unknowns, or because its constraints leave no motion.
 ///
 /// # Errors
-/// See [`Unknown`].
+/// See [`Unsolved`].
 pub fn analyse<E: Equations>(
     vertices: &[DVec3],
     equations: &E,
@@ -324,7 +304,7 @@ pub fn analyse<E: Equations>(
     direct: &mut Direct,
     with_margin: WithMargin,
     exec: &Execution,
-) -> Result<Option<SecondVariation>, Unknown> {
+) -> Result<Option<SecondVariation>, Unsolved> {
     if state.mass.is_empty() {
         return Ok(None);
     }

@@ -27,9 +27,9 @@
 
 use super::bisection::{BEST, BisectionMesh, CENTRAL};
 use super::space::Space;
-use super::system::{Factor, Stop, System};
+use super::system::{Factor, System};
 use glam::{DMat3, DVec4};
-use plateau_mesh::sparse::dot;
+use plateau_mesh::sparse::{Unsolved, dot};
 use plateau_mesh::{DVec3, Execution};
 
 /// Longest step, as a fraction of the step that reaches the boundary of a cone. Usual values are 0.9 to 0.99.
@@ -201,7 +201,7 @@ struct Linearisation<'a> {
 }
 
 impl Linearisation<'_> {
-    fn direction(&self, targets: Vec<[ConeVector; 4]>, exec: &Execution) -> Result<Direction, Stop> {
+    fn direction(&self, targets: Vec<[ConeVector; 4]>, exec: &Execution) -> Result<Direction, Unsolved> {
         let Self { space, form, curl, dual, scalings, factor } = self;
         exec.look((LEAF_WORK * curl.len()) as u64)?;
         let mut gradient = form.to_vec();
@@ -356,7 +356,7 @@ impl<'a> Level<'a> {
     ///
     /// # Errors
     /// The error of the factorisation, or an interruption. The iterate is then unchanged.
-    pub fn step(&mut self, system: &mut System, storage: &mut Vec<f64>, exec: &Execution) -> Result<(), Stop> {
+    pub fn step(&mut self, system: &mut System, storage: &mut Vec<f64>, exec: &Execution) -> Result<(), Unsolved> {
         let Self { space, form, curl, dual, .. } = &*self;
         exec.look((LEAF_WORK * curl.len()) as u64)?;
         let scalings_of = |(v, x): (&[DVec3; 4], &[ConeVector; 4])| -> [Scaling; 4] {

@@ -7,8 +7,9 @@ use super::conic::Level;
 use super::hull::Hull;
 use super::orientation::{Oriented, vector_area};
 use super::space::Space;
-use super::system::{Stop, System};
+use super::system::{System, error_of};
 use glam::DVec4;
+use plateau_mesh::sparse::Unsolved;
 use plateau_mesh::{DVec3, Error, Execution, Progress};
 
 /// Number of leaves of the first mesh.
@@ -130,7 +131,7 @@ impl Search {
         let form = space.circulation(&self.mesh, directed);
         let held = free.iter().map(|&number| space.circulation(&self.mesh, [&placed[number]])).collect();
         exec.look(self.mesh.leaf_count() as u64)?;
-        let mut system = System::of(&space, exec)?;
+        let mut system = System::of(&space, exec).map_err(error_of)?;
         let size = Size {
             entries: system.factor_entries() as f64,
             rows: system.rows() as f64,
@@ -177,9 +178,9 @@ fn iterate(
         }
         match level.step(system, storage, exec) {
             Ok(()) => {}
-            Err(Stop::Interrupted(interruption)) => return Err(interruption.into()),
+            Err(Unsolved::Interrupted(interruption)) => return Err(interruption.into()),
             // The best field so far still proves its bound.
-            Err(Stop::Failed(_)) => break,
+            Err(Unsolved::Refused(_)) => break,
         }
         budget.spent += size.step_price();
         budget.iterations += 1;

@@ -7,7 +7,7 @@ use super::space::Space;
 use glam::DMat3;
 use plateau_mesh::codes::Reason;
 use plateau_mesh::execution::Interruption;
-use plateau_mesh::sparse::{LinearError, Symbolic, SymmetricMatrix, dot};
+use plateau_mesh::sparse::{Symbolic, SymmetricMatrix, Unsolved, dot};
 use plateau_mesh::{DVec3, Error, Execution};
 
 /// The pattern of the matrix, its symbolic factorisation, and the entries to which each tetrahedron contributes.
@@ -35,32 +35,12 @@ const ROWS_A_LOOK: u32 = 5_000;
 /// are projected out. The norm is that of the inverse matrix.
 const INDEPENDENT: f64 = 1e-12;
 
-/// Why a system has no factorisation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Stop {
-    Interrupted(Interruption),
-    Failed(LinearError),
-}
-
-impl From<Interruption> for Stop {
-    fn from(interruption: Interruption) -> Self {
-        Self::Interrupted(interruption)
-    }
-}
-
-impl From<LinearError> for Stop {
-    fn from(error: LinearError) -> Self {
-        Self::Failed(error)
-    }
-}
-
-impl From<Stop> for Error {
-    fn from(stop: Stop) -> Self {
-        match stop {
-            Stop::Interrupted(interruption) => interruption.into(),
-            Stop::Failed(_) => {
-                Self::no_result(Reason::Internal, "the linear system of the lower bound could not be solved")
-            }
+/// The error of a lower bound whose system was not solved.
+pub(super) fn error_of(unsolved: Unsolved) -> Error {
+    match unsolved {
+        Unsolved::Interrupted(interruption) => interruption.into(),
+        Unsolved::Refused(_) => {
+            Error::no_result(Reason::Internal, "the linear system of the lower bound could not be solved")
         }
     }
 }
@@ -70,7 +50,7 @@ impl System {
     ///
     /// # Errors
     /// The error of the analysis, or an interruption.
-    pub fn of(space: &Space, exec: &Execution) -> Result<Self, Stop> {
+    pub fn of(space: &Space, exec: &Execution) -> Result<Self, Unsolved> {
         let mut rows = 0u32;
         let mut row = vec![NONE; space.count()];
         for (unknown, row) in row.iter_mut().enumerate() {
@@ -159,7 +139,7 @@ impl System {
         weight: impl Fn(usize, usize) -> DMat3,
         storage: &mut Vec<f64>,
         exec: &Execution,
-    ) -> Result<Factor<'_>, Stop> {
+    ) -> Result<Factor<'_>, Unsolved> {
         self.matrix.values.fill(0.0);
         for (k, &leaf) in space.constrained.iter().enumerate() {
             if k.is_multiple_of(LEAVES_A_LOOK) {

@@ -11,6 +11,7 @@ pub mod pattern;
 
 pub use conjugate_gradients::{CgFailure, conjugate_gradients};
 
+use crate::Interruption;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::ldlt::factor::LdltRegularization;
 use faer::perm::PermRef;
@@ -36,6 +37,27 @@ pub enum LinearError {
     Inaccurate,
     /// The factor has more entries than 32-bit indices or memory can hold.
     TooLarge,
+}
+
+/// Why a solver that looks at its signal has no solution.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unsolved {
+    /// The linear system has no reliable solution, for instance because the mesh is degenerate.
+    Refused(LinearError),
+    /// The caller wants the solver to stop.
+    Interrupted(Interruption),
+}
+
+impl From<LinearError> for Unsolved {
+    fn from(error: LinearError) -> Self {
+        Self::Refused(error)
+    }
+}
+
+impl From<Interruption> for Unsolved {
+    fn from(interruption: Interruption) -> Self {
+        Self::Interrupted(interruption)
+    }
 }
 
 /// The scalar product of two vectors, summed in the order of the entries.

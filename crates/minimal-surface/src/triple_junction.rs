@@ -36,7 +36,7 @@ use plateau_equilibrium::form_finding::{self, FormFinding, Round, StopReason};
 use plateau_equilibrium::motion::{Frame, Motion};
 use plateau_equilibrium::newton::{Direct, Equations, State};
 use plateau_equilibrium::residual::curvature;
-use plateau_equilibrium::stability::{self, Unknown};
+use plateau_equilibrium::stability;
 use plateau_equilibrium::{Aim, Freedom, Settings};
 use plateau_mesh::codes::WarningCode;
 use plateau_mesh::complex::VertexKind;
@@ -44,6 +44,7 @@ use plateau_mesh::error::{InputError, Warning};
 use plateau_mesh::execution::WORK_PER_TRIANGLE;
 use plateau_mesh::measure::Quality;
 use plateau_mesh::remesh::sheets::{even_out, flipped_triangles};
+use plateau_mesh::sparse::Unsolved;
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Mesh, Place, polyline};
 use wires::Wires;
 
@@ -255,8 +256,8 @@ impl<'a> JunctionSolver<'a> {
             let Direct { symbolic, matrix, .. } = &direct;
             self.morse_index = match stability::morse_index(symbolic, matrix, &state.mass, unit, &[], self.exec) {
                 Ok(index) => index.decided(),
-                Err(Unknown::Refused(_)) => None,
-                Err(Unknown::Interrupted(interruption)) => return Err(interruption.into()),
+                Err(Unsolved::Refused(_)) => None,
+                Err(Unsolved::Interrupted(interruption)) => return Err(interruption.into()),
             };
         }
         Ok(reason)

@@ -26,9 +26,10 @@ use super::taut_start::{Held, slid_back, taut};
 use super::weave::LARGEST_CHANGE;
 use ending::Watch;
 use plateau_equilibrium::form_finding::{self, FormFinding, Round, StopReason};
-use plateau_equilibrium::settling::{Pace, Settler, Unsettled, energy};
+use plateau_equilibrium::settling::{Pace, Settler, energy};
 use plateau_equilibrium::{Body, Determined};
 use plateau_mesh::error::{InputError, Step};
+use plateau_mesh::sparse::Unsolved;
 use plateau_mesh::{DVec3, Error, Progress};
 
 /// Number of triangles of the first, coarsest level. With 100 to 300 triangles random structures are found equally
@@ -448,8 +449,8 @@ impl Run<'_> {
         self.count_solve("settle", energy(&body, &body.vertices))?;
         let round = match trip.settler.round(&mut body, edge, pace, self.exec) {
             Ok(round) => round,
-            Err(Unsettled::Interrupted(interruption)) => return Err(Error::from(interruption).into()),
-            Err(Unsettled::Refused(error)) => {
+            Err(Unsolved::Interrupted(interruption)) => return Err(Error::from(interruption).into()),
+            Err(Unsolved::Refused(error)) => {
                 let detail = format!("nothing holds the structure: {error:?}");
                 return Ok(Round::Ended(Arrival::Lost(Ending::NotFound(detail))));
             }

@@ -35,7 +35,7 @@ use plan::Plan;
 use plateau_equilibrium::form_finding::StopReason;
 use plateau_equilibrium::newton::{Aim, Equations, Settings};
 use plateau_equilibrium::normal_motion::{FilmState, NormalMotion};
-use plateau_equilibrium::stability::{self, MorseIndex, Unknown, WithMargin};
+use plateau_equilibrium::stability::{self, MorseIndex, WithMargin};
 use plateau_equilibrium::v_cycle::VCycleSteps;
 use plateau_mesh::film::Film;
 use plateau_mesh::measure;
@@ -44,7 +44,7 @@ use plateau_mesh::remesh::sliding::slide;
 use plateau_mesh::remesh::small_angles::{smallest_angle, widen};
 use plateau_mesh::sparse::multigrid::{self, Hierarchy, Parents, parents_of};
 use plateau_mesh::sparse::pattern::Pattern;
-use plateau_mesh::sparse::{Symbolic, SymmetricMatrix};
+use plateau_mesh::sparse::{Symbolic, SymmetricMatrix, Unsolved};
 use plateau_mesh::{DVec3, Error, Execution, Interruption};
 
 // Tunables. The figures in docs/VALIDATION.md were obtained with these values.
@@ -179,8 +179,8 @@ fn coarsest(film: &mut Film, solve: &mut Solve) -> Result<Option<Levels>, Error>
     let state = motion.state(&film.vertices);
     let coarse = match stability::analyse(&film.vertices, &motion, &state, &mut direct, WithMargin::Yes, solve.exec) {
         Ok(Some(coarse)) => coarse,
-        Ok(None) | Err(Unknown::Refused(_)) => return Ok(None),
-        Err(Unknown::Interrupted(interruption)) => return Err(interruption.into()),
+        Ok(None) | Err(Unsolved::Refused(_)) => return Ok(None),
+        Err(Unsolved::Interrupted(interruption)) => return Err(interruption.into()),
     };
     if coarse.morse_index.most > 0 {
         return Ok(None);
@@ -306,8 +306,8 @@ fn finish(
         let Ok(symbolic) = Symbolic::analyse(&matrix, None) else { return Ok(None) };
         match stability::morse_index(&symbolic, &matrix, mass, unit, &state.constraints, solve.exec) {
             Ok(index) => index,
-            Err(Unknown::Refused(_)) => return Ok(None),
-            Err(Unknown::Interrupted(interruption)) => return Err(interruption.into()),
+            Err(Unsolved::Refused(_)) => return Ok(None),
+            Err(Unsolved::Interrupted(interruption)) => return Err(interruption.into()),
         }
     } else {
         MorseIndex { least: 0, most: 0 }

@@ -28,13 +28,13 @@ use plateau_equilibrium::form_finding::StopReason;
 use plateau_equilibrium::newton::{Aim, Direct, Equations, Settings, keeps_orientation};
 use plateau_equilibrium::normal_motion::{FilmState, NormalMotion};
 use plateau_equilibrium::residual::curvature;
-use plateau_equilibrium::stability::{self, Margin, SecondVariation, Unknown, WithMargin};
+use plateau_equilibrium::stability::{self, Margin, SecondVariation, WithMargin};
 use plateau_mesh::film::Film;
 use plateau_mesh::remesh::isotropic::{BoundaryEdges, refine};
 use plateau_mesh::remesh::thin_triangles::{Necks, remove_degenerate_triangles};
-use plateau_mesh::sparse::Factorisation;
 use plateau_mesh::sparse::multigrid::Hierarchy;
 use plateau_mesh::sparse::pattern::Pattern;
+use plateau_mesh::sparse::{Factorisation, Unsolved};
 use plateau_mesh::{DVec3, Error, Execution, Interruption};
 
 // Tunables. The figures in docs/VALIDATION.md were obtained with these values.
@@ -374,8 +374,8 @@ impl<'a> Solve<'a> {
         let state = motion.state(&film.vertices);
         let variation = match stability::analyse(&film.vertices, &motion, &state, direct, WithMargin::Yes, self.exec) {
             Ok(Some(variation)) => variation,
-            Ok(None) | Err(Unknown::Refused(_)) => return Ok(None),
-            Err(Unknown::Interrupted(interruption)) => return Err(interruption.into()),
+            Ok(None) | Err(Unsolved::Refused(_)) => return Ok(None),
+            Err(Unsolved::Interrupted(interruption)) => return Err(interruption.into()),
         };
         let stability = Stability::of(&variation);
         self.unstable_mode = (stability.least_index > 0).then(|| {
