@@ -74,9 +74,16 @@ impl Net {
     }
 }
 
-fn require(errors: &mut Vec<InputError>, holds: bool, place: Place, detail: impl Into<String>) {
+/// Adds an error unless this holds. The place and the text are made only then, because a net has hundreds of thousands of
+/// values, and making their texts took most of the time of a check.
+fn require<D: Into<String>>(
+    errors: &mut Vec<InputError>,
+    holds: bool,
+    place: impl FnOnce() -> Place,
+    detail: impl FnOnce() -> D,
+) {
     if !holds {
-        InputError::new(place, detail).add_to(errors);
+        InputError::new(place(), detail()).add_to(errors);
     }
 }
 
@@ -85,45 +92,50 @@ pub(super) fn check(net: &Net, options: &Options) -> Result<(), Error> {
     let mut errors = Vec::new();
     let count = net.vertices.len();
     let usable = |p: &DVec3| p.is_finite() && p.abs().max_element() <= LARGEST_COORDINATE;
-    let coordinate = "every coordinate must be a finite number of magnitude at most 1e50";
+    let coordinate = || "every coordinate must be a finite number of magnitude at most 1e50";
     for (k, p) in net.vertices.iter().enumerate() {
-        require(&mut errors, usable(p), Place::field("vertices").at(k), coordinate);
+        require(&mut errors, usable(p), || Place::field("vertices").at(k), coordinate);
     }
     for (k, load) in net.loads.iter().enumerate() {
-        require(&mut errors, usable(load), Place::field("loads").at(k), coordinate);
+        require(&mut errors, usable(load), || Place::field("loads").at(k), coordinate);
     }
     let loaded = net.loads.is_empty() || net.loads.len() == count;
-    require(&mut errors, loaded, Place::field("loads"), "needs one load for each vertex, or none at all");
+    require(&mut errors, loaded, || Place::field("loads"), || "needs one load for each vertex, or none at all");
     for (k, &support) in net.supports.iter().enumerate() {
-        let detail = format!("there are {count} vertices, numbered from 0");
-        require(&mut errors, (support as usize) < count, Place::field("supports").at(k), detail);
+        let detail = || format!("there are {count} vertices, numbered from 0");
+        require(&mut errors, (support as usize) < count, || Place::field("supports").at(k), detail);
     }
     let positive = |value: f64| value.is_finite() && value > 0.0;
     for (k, edge) in net.edges.iter().enumerate() {
         let place = || Place::field("edges").at(k);
         for (i, &end) in edge.ends.iter().enumerate() {
-            let detail = format!("there are {count} vertices, numbered from 0");
-            require(&mut errors, (end as usize) < count, place().then("ends").at(i), detail);
+            let detail = || format!("there are {count} vertices, numbered from 0");
+            require(&mut errors, (end as usize) < count, || place().then("ends").at(i), detail);
         }
-        require(&mut errors, edge.ends[0] != edge.ends[1], place().then("ends"), "must be two different vertices");
+        require(
+            &mut errors,
+            edge.ends[0] != edge.ends[1],
+            || place().then("ends"),
+            || "must be two different vertices",
+        );
         let (sign, detail) = match edge.strut {
             false => (1.0, "must be a finite number above 0, because a cable only pulls"),
             true => (-1.0, "must be a finite number below 0, because a strut only pushes"),
         };
         for (name, value) in [("density", edge.density), ("force", edge.force)] {
-            require(&mut errors, value.is_none_or(|value| positive(sign * value)), place().then(name), detail);
+            require(&mut errors, value.is_none_or(|value| positive(sign * value)), || place().then(name), || detail);
         }
         let sound = edge.length.is_none_or(positive);
-        require(&mut errors, sound, place().then("length"), "must be a finite number above 0");
+        require(&mut errors, sound, || place().then("length"), || "must be a finite number above 0");
         if let Some(density) = edge.density {
-            let detail = format!("must be above least_density ({}) in magnitude", options.least_density);
+            let detail = || format!("must be above least_density ({}) in magnitude", options.least_density);
             let above = edge.held || density.abs() > options.least_density;
-            require(&mut errors, above, place().then("density"), detail);
+            require(&mut errors, above, || place().then("density"), detail);
         }
         let held = !edge.held || edge.density.is_some();
-        require(&mut errors, held, place().then("density"), "is needed to be held");
+        require(&mut errors, held, || place().then("density"), || "is needed to be held");
     }
-    require(&mut errors, !net.edges.is_empty(), Place::field("edges"), "must not be empty");
+    require(&mut errors, !net.edges.is_empty(), || Place::field("edges"), || "must not be empty");
     for (name, value) in [
         ("force_weight", options.force_weight),
         ("length_weight", options.length_weight),
@@ -132,7 +144,7 @@ pub(super) fn check(net: &Net, options: &Options) -> Result<(), Error> {
         ("tolerance", options.tolerance),
     ] {
         let sound = value.is_finite() && value >= 0.0;
-        require(&mut errors, sound, Place::field(name), "must be a finite number, not negative");
+        require(&mut errors, sound, || Place::field(name), || "must be a finite number, not negative");
     }
     if errors.is_empty() {
         check_edges(net, &mut errors);
@@ -161,18 +173,18 @@ fn check_edges(net: &Net, errors: &mut Vec<InputError>) {
         let place = || Place::field("edges").at(k);
         let distance = net.vertices[a as usize].distance(net.vertices[b as usize]);
         let apart = distance > same;
-        require(errors, apart, place(), format!("has no length: vertices {a} and {b} are at the same point"));
+        require(errors, apart, place, || format!("has no length: vertices {a} and {b} are at the same point"));
         seen.push(([a.min(b), a.max(b)], k));
         let Some(length) = edge.length.filter(|_| apart && held[a as usize] && held[b as usize]) else { continue };
         let fits = (length - distance).abs() <= SAME_POINT * distance;
         let fault = if length > distance { "the cable would be slack" } else { "it is shorter than the chord" };
-        let detail = format!("{fault}: both ends are supports, {distance} apart");
-        require(errors, fits, place().then("length"), detail);
+        let detail = || format!("{fault}: both ends are supports, {distance} apart");
+        require(errors, fits, || place().then("length"), detail);
     }
     seen.sort_unstable();
     for pair in seen.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
-        let detail = format!("joins the same two vertices as edge {}", pair[0].1);
-        require(errors, false, Place::field("edges").at(pair[1].1), detail);
+        let detail = || format!("joins the same two vertices as edge {}", pair[0].1);
+        require(errors, false, || Place::field("edges").at(pair[1].1), detail);
     }
 }
 
@@ -206,8 +218,8 @@ fn check_loose_ends(net: &Net, errors: &mut Vec<InputError>) {
     }
     free.sort_unstable();
     for v in free {
-        let detail = "moves freely: a single cable and no load acts on it";
-        require(errors, false, Place::field("vertices").at(v), detail);
+        let detail = || "moves freely: a single cable and no load acts on it";
+        require(errors, false, || Place::field("vertices").at(v), detail);
     }
 }
 
@@ -219,7 +231,7 @@ fn check_supports(net: &Net, errors: &mut Vec<InputError>) {
     net.supports.iter().for_each(|&support| held[parts.leader(support) as usize] = true);
     for v in 0..net.vertices.len() {
         let is_held = held[parts.leader(v as u32) as usize];
-        let detail = "moves freely: no cables join it to a support";
-        require(errors, is_held, Place::field("vertices").at(v), detail);
+        let detail = || "moves freely: no cables join it to a support";
+        require(errors, is_held, || Place::field("vertices").at(v), detail);
     }
 }
