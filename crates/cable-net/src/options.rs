@@ -74,8 +74,8 @@ impl Net {
     }
 }
 
-/// Adds an error unless this holds. The place and the text are made only then, because a net has hundreds of thousands of
-/// values, and making their texts took most of the time of a check.
+/// Adds an error unless this holds. The place and the text are made only for an error, because a net has hundreds of
+/// thousands of values.
 fn require<D: Into<String>>(
     errors: &mut Vec<InputError>,
     holds: bool,
