@@ -1,8 +1,9 @@
 //! The result of a fit, and the constants that both methods of fitting use.
 
+use super::options::Net;
 use plateau_mesh::codes::Reason;
 use plateau_mesh::sparse::LinearError;
-use plateau_mesh::{DVec3, Error, Execution, Progress};
+use plateau_mesh::{DVec3, Error, Execution, Interruption, Progress};
 
 /// Damping at the start. In a net without struts it is a multiple of the loss. With a smaller value the first steps are
 /// refused.
@@ -19,6 +20,9 @@ pub const TIGHTENED: f64 = 3.0;
 pub const LARGEST_STEP: f64 = 2.0;
 /// Fitting ends after this number of steps in a row that each lower the loss by at most the tolerance.
 pub const QUIET_STEPS: u32 = 3;
+/// Work of a step per edge, for [`Execution::look`]. The system of a step has about nine numbers for each end of an
+/// edge, and its factor about ten times as many.
+const WORK_PER_EDGE: u64 = 200;
 
 /// Why fitting ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,6 +69,17 @@ pub(super) struct Fitted {
 /// Makes the error for a net whose equations cannot be solved.
 pub(super) fn refused(error: LinearError) -> Error {
     Error::no_result(Reason::NoEquilibrium, format!("the net's equations have no trustworthy solution: {error:?}"))
+}
+
+/// Asks the caller whether to continue, after a piece of work of about one step. Returns whether a deadline has passed.
+///
+/// # Errors
+/// A cancel.
+pub(super) fn is_late(net: &Net, exec: &Execution) -> Result<bool, Interruption> {
+    match exec.look(WORK_PER_EDGE * net.edges.len() as u64) {
+        Err(Interruption::DeadlinePassed) => Ok(true),
+        other => other.map(|()| false),
+    }
 }
 
 /// Reports the progress after a step.

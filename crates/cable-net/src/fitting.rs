@@ -63,14 +63,14 @@
 
 use super::fitted::{
     DAMPING, Fitted, LARGEST_DAMPING, LARGEST_STEP, LEAST_DAMPING, QUIET_STEPS, RELAXED, StopReason, TIGHTENED,
-    refused, report,
+    is_late, refused, report,
 };
 use super::loss::{Loss, length, start};
 use super::options::{Net, Options};
 use super::shape::Shape;
-use super::step::{Change, Damping, Factor, Member, Step, WORK_PER_EDGE, gradients, members};
+use super::step::{Change, Damping, Factor, Member, Step, gradients, members};
 use plateau_mesh::codes::Reason;
-use plateau_mesh::{DVec3, Error, Execution, Interruption};
+use plateau_mesh::{DVec3, Error, Execution};
 
 /// Force below which a cable counts as slack, as a fraction of the mean force. A cable also counts as slack if its
 /// density exceeds the least density by less than this fraction. Fitting never reaches a force of exactly zero: where
@@ -130,9 +130,8 @@ fn approach(given: &Fit, loss: &Loss, shape: &Shape, exec: &Execution) -> Result
         return Ok(best);
     }
     for _ in 0..ROUNDS {
-        match exec.look(WORK_PER_EDGE * loss.net.edges.len() as u64) {
-            Err(Interruption::DeadlinePassed) => break,
-            other => other?,
+        if is_late(loss.net, exec)? {
+            break;
         }
         let densities = last.densities.iter_mut().zip(&given.densities);
         for (edge, (q, given)) in loss.net.edges.iter().zip(densities).filter(|(edge, _)| !edge.held) {
@@ -278,10 +277,9 @@ fn descend(
         loss.hold(&fit.densities, &fit.at, shape).map_err(refused)?;
         let members = members(loss, &fit.densities, &fit.at);
         loop {
-            match exec.look(WORK_PER_EDGE * net.edges.len() as u64) {
-                // At a deadline the last step is a valid result, because its shape is in equilibrium.
-                Err(Interruption::DeadlinePassed) => return Ok(StopReason::Deadline),
-                other => other?,
+            // At a deadline the last step is a valid result, because its shape is in equilibrium.
+            if is_late(net, exec)? {
+                return Ok(StopReason::Deadline);
             }
             let lower = direction(fit, &members, *damping, loss, shape, step).and_then(|direction| {
                 let parts = (0..=HALVINGS).map(|k| 0.5f64.powi(k as i32));
@@ -331,10 +329,13 @@ fn descend(
 /// The interruption, or if the equations of the net are singular to working precision.
 pub(super) fn fit(net: &Net, options: &Options, exec: &Execution) -> Result<Fitted, Error> {
     let shape = Shape::new(net).map_err(refused)?;
+    // A late caller still gets the shape of the given densities, because every valid result needs one shape.
+    is_late(net, exec)?;
     let densities = start(net, options);
     let at = shape.positions(net, &densities).map_err(refused)?;
     let mut loss = Loss::new(net, options, &densities, &at);
     let value = loss.value(&densities, &at);
+    let late = is_late(net, exec)?;
     let given = Fit { densities, at, value };
     let (mut fit, mut iterations) = (given.clone(), 0);
     let stop_reason = if !loss.has_targets() || net.edges.iter().all(|edge| edge.held) {
@@ -343,6 +344,8 @@ pub(super) fn fit(net: &Net, options: &Options, exec: &Execution) -> Result<Fitt
         return Err(Error::no_result(Reason::NoEquilibrium, "the loads and targets are too large for each other"));
     } else if value == 0.0 {
         StopReason::Change
+    } else if late {
+        StopReason::Deadline
     } else {
         let limit = options.max_iterations.unwrap_or(DEFAULT_STEPS);
         let mut step = Step::new(net, shape.fixed()).map_err(refused)?;

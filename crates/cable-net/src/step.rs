@@ -13,10 +13,6 @@ use plateau_mesh::sparse::{Factorisation, LinearError, Symbolic, SymmetricMatrix
 /// computed in exact equilibrium.
 const REGULARISATION: f64 = 1e-9;
 
-/// Work of a step per edge, for [`Execution::look`](plateau_mesh::Execution::look). The system of a step has about nine
-/// numbers for each end of an edge, and its factor about ten times as many.
-pub(super) const WORK_PER_EDGE: u64 = 200;
-
 /// The quantities of one edge from which the system is assembled.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Member {

@@ -20,14 +20,14 @@
 
 use super::fitted::{
     DAMPING, Fitted, LARGEST_DAMPING, LARGEST_STEP, LEAST_DAMPING, QUIET_STEPS, RELAXED, StopReason, TIGHTENED,
-    refused, report,
+    is_late, refused, report,
 };
 use super::loss::{Loss, length, start};
 use super::options::{Net, Options};
 use super::shape::Shape;
-use super::step::{Change, Damping, Member, Step, WORK_PER_EDGE, gradients, members};
+use super::step::{Change, Damping, Member, Step, gradients, members};
 use plateau_mesh::codes::Reason;
-use plateau_mesh::{DVec3, Error, Execution, Interruption};
+use plateau_mesh::{DVec3, Error, Execution};
 
 /// Number of stages. With nine stages the unbalanced forces of the last stage are about 1e-8 of the other forces.
 const STAGES: u32 = 9;
@@ -122,6 +122,7 @@ fn mean_squares(net: &Net, state: &State) -> (f64, f64) {
 /// A cancel, or if no equilibrium is found near the given vertices and targets.
 pub(super) fn fit(net: &Net, options: &Options, exec: &Execution) -> Result<Fitted, Error> {
     let shape = Shape::new(net).map_err(refused)?;
+    is_late(net, exec)?;
     let mut step = Step::new(net, shape.fixed()).map_err(refused)?;
     let densities = start(net, options);
     let loss = Loss::new(net, options, &densities, &net.vertices);
@@ -164,9 +165,8 @@ fn descend(
         // At most 51 passes, because each pass that refuses a step multiplies the damping by TIGHTENED, from
         // LEAST_DAMPING or more up to LARGEST_DAMPING.
         loop {
-            match exec.look(WORK_PER_EDGE * net.edges.len() as u64) {
-                Err(Interruption::DeadlinePassed) => return Ok(StopReason::Deadline),
-                other => other?,
+            if is_late(net, exec)? {
+                return Ok(StopReason::Deadline);
             }
             let damped = Damping { densities: damping, positions: damping / squared_length, softness };
             let change = change(state, &members, &gradients(&members), damped, step);
@@ -203,10 +203,8 @@ fn balance(state: &mut State, loss: &Loss, (shape, step): (&Shape, &mut Step), e
     let damping = Damping { densities: 1.0, positions: 1.0 / squared_length, softness: 0.0 };
     let still = vec![[0.0; 2]; net.edges.len()];
     for _ in 0..CORRECTIONS {
-        match exec.look(WORK_PER_EDGE * net.edges.len() as u64) {
-            Err(Interruption::DeadlinePassed) => {}
-            other => other?,
-        }
+        // A late caller still gets balanced forces, because a net without them is no result.
+        is_late(net, exec)?;
         let plain: Vec<Member> =
             members(loss, &state.densities, &state.at).iter().map(Member::without_residuals).collect();
         let moved = change(state, &plain, &still, damping, step).and_then(|change| state.moved(&change, loss, shape));

@@ -194,6 +194,28 @@ fn a_deadline_returns_the_net_of_the_last_step_in_equilibrium() {
 }
 
 #[test]
+fn a_caller_is_asked_between_the_factorisations_before_the_first_step() {
+    // Solves a net for a caller who sends a signal from the given look on.
+    let solve = |net: &Net, from: u32, signal: Signal| {
+        let looks = Cell::new(0);
+        let signal = || if looks.replace(looks.get() + 1) < from { Signal::Continue } else { signal };
+        solve(net, &Options::default(), &Execution::new(&signal, &|_| {}))
+    };
+    let mut net = lifted(6);
+    let late = solve(&net, 0, Signal::Deadline).unwrap();
+    assert_eq!((late.stop_reason, late.iterations, late.converged()), (StopReason::Deadline, 0, false));
+    assert!(late.imbalance < 1e-12, "{}", late.imbalance);
+    // If all densities are held, the shape is the complete result, so that a deadline does not matter.
+    net.edges.iter_mut().for_each(|edge| (edge.density, edge.held) = (edge.density.or(Some(1.0)), true));
+    let complete = solve(&net, 0, Signal::Deadline).unwrap();
+    assert_eq!((complete.stop_reason, complete.converged()), (StopReason::NoTargets, true));
+    for from in [0, 1] {
+        let cancelled = solve(&net, from, Signal::Cancel);
+        assert_eq!(cancelled.unwrap_err(), Error::Interrupted(Interruption::Cancelled), "from look {from} on");
+    }
+}
+
+#[test]
 fn targets_that_are_met_from_the_start_need_no_step() {
     let ends = [DVec3::new(-1.0, 0.0, 0.0), DVec3::new(1.0, 0.0, 0.0), DVec3::ZERO];
     let edge = |k: u32| Edge { ends: [k, 2], force: Some(1.0), length: Some(1.0), ..Edge::default() };
