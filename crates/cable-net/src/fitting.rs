@@ -70,7 +70,7 @@ use super::options::{Net, Options};
 use super::shape::Shape;
 use super::step::{Change, Damping, Factor, Member, Step, gradients, members};
 use plateau_mesh::codes::Reason;
-use plateau_mesh::{DVec3, Error, Execution};
+use plateau_mesh::{DVec3, Error, Execution, Interruption};
 
 /// Force below which a cable counts as slack, as a fraction of the mean force. A cable also counts as slack if its
 /// density exceeds the least density by less than this fraction. Fitting never reaches a force of exactly zero: where
@@ -201,16 +201,21 @@ fn moved(fit: &Fit, loss: &Loss, shape: &Shape, change: impl Fn(usize) -> f64) -
 }
 
 /// Computes the step from the present net with this damping. Returns `None` if the system cannot be solved.
+///
+/// # Errors
+/// A cancel.
 fn direction(
     fit: &Fit,
     members: &[Member],
     damping: f64,
     loss: &Loss,
-    shape: &Shape,
-    step: &mut Step,
-) -> Option<Direction> {
+    (shape, step): (&Shape, &mut Step),
+    exec: &Execution,
+) -> Result<Option<Direction>, Interruption> {
     let system = step.system(members, Damping::of_densities(damping));
-    let factor = step.factorise(&system).ok()?;
+    let Ok(factor) = step.factorise(&system) else { return Ok(None) };
+    // A late caller still gets the step, because the factorisation took most of its time.
+    is_late(loss.net, exec)?;
     let found = factor.change(members, &gradients(members), None).ok().map(|change| {
         let along = |e: usize| -> [f64; 3] {
             let ends = loss.net.edges[e].ends;
@@ -225,7 +230,7 @@ fn direction(
     });
     let storage = factor.into_storage();
     step.reuse(storage);
-    found
+    Ok(found)
 }
 
 /// Returns half the acceleration along a step, if it is small enough to be used. `linear` lists the first-order changes
@@ -281,7 +286,9 @@ fn descend(
             if is_late(net, exec)? {
                 return Ok(StopReason::Deadline);
             }
-            let lower = direction(fit, &members, *damping, loss, shape, step).and_then(|direction| {
+            let direction = direction(fit, &members, *damping, loss, (shape, step), exec)?;
+            is_late(net, exec)?;
+            let lower = direction.and_then(|direction| {
                 let parts = (0..=HALVINGS).map(|k| 0.5f64.powi(k as i32));
                 let mut tried = parts.map(|part| (part, direction.moved(part, fit, loss, shape)));
                 tried.find_map(|(part, moved)| {

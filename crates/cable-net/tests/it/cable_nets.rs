@@ -2,7 +2,7 @@
 
 use plateau_cable_net::{CableNet, Edge, Net, Options, StopReason, check, solve};
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Signal};
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 /// A square net with sides of length `side` and `cells` cells along each side. The vertices are numbered row by row.
 /// `edge` makes an edge from its ends and from whether it is on the rim.
@@ -212,6 +212,23 @@ fn a_caller_is_asked_between_the_factorisations_before_the_first_step() {
     for from in [0, 1] {
         let cancelled = solve(&net, from, Signal::Cancel);
         assert_eq!(cancelled.unwrap_err(), Error::Interrupted(Interruption::Cancelled), "from look {from} on");
+    }
+}
+
+#[test]
+fn a_caller_is_asked_before_and_after_the_factorisation_of_a_step() {
+    let (looks, at_reports) = (Cell::new(0), RefCell::new(Vec::new()));
+    let signal = || {
+        looks.set(looks.get() + 1);
+        Signal::Continue
+    };
+    let report = |_| at_reports.borrow_mut().push(looks.get());
+    let options = Options { least_density: 0.1, ..Options::default() };
+    solve(&lifted(6), &options, &Execution::new(&signal, &report)).unwrap();
+    let at_reports = at_reports.into_inner();
+    assert!(at_reports.len() > 2, "{at_reports:?}");
+    for step in at_reports.windows(2) {
+        assert!(step[1] - step[0] >= 3, "{at_reports:?}");
     }
 }
 
