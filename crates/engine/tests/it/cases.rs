@@ -451,7 +451,9 @@ fn no_solver_works_for_long_without_a_look_at_the_signal() {
 
 #[test]
 fn fixed_and_free_find_the_connected_film_that_best_finds() {
-    for (name, area) in [("spiky_loops_fixed", 0.4906), ("loops_of_111_points_free", 1.8227)] {
+    let cases =
+        [("spiky_loops_fixed", 0.4906), ("three_spiky_loops_fixed", 9.9329), ("loops_of_111_points_free", 1.8227)];
+    for (name, area) in cases {
         let (statistics, warnings) = solved(name);
         let found = statistics["area"].as_f64().unwrap();
         assert!((found / area - 1.0).abs() < 1e-3, "{name}: {found} for {area}, {warnings:?}");

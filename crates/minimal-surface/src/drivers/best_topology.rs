@@ -3,11 +3,11 @@
 //! 1. Each non-empty set of boundaries is spanned by one connected film (a disc, an annulus, a sphere with holes). The
 //!    default solver starts from each initial mesh (in a plane, in a disc, of rings between two boundaries) and
 //!    descends from unstable surfaces. If it converges to a surface that does not hold or passes through itself, it
-//!    also starts from each way to lay out the boundaries in the disc, and if no film over all boundaries holds, it
-//!    starts once more with the boundaries in another order. A film *holds* if it converged, is stable, is
-//!    connected and has no flipped triangle. Of the films of a set that hold, the one of least area is taken. A film
-//!    that passes through itself is taken only if all of them do. If a [cone](crate::cone) separates the boundaries of
-//!    a set, the set is not tried, because no connected film spans it.
+//!    also starts from each way to lay out the boundaries in the disc. For the film over all boundaries it does so
+//!    whenever none holds, and also starts with each other boundary as the first. A film *holds* if it converged, is
+//!    stable, is connected and has no flipped triangle. Of the films of a set that hold, the one of least area is
+//!    taken. A film that passes through itself is taken only if all of them do. If a [cone](crate::cone) separates the
+//!    boundaries of a set, the set is not tried, because no connected film spans it.
 //! 2. A spanning topology is a partition of the boundaries with one connected film for each of its sets. Its area and
 //!    its Morse index are the sums over the films. A partition with a set that does not hold is listed without an area.
 //! 3. The partition of least area is returned. The statistics list the others. If many triangles are asked for, all
@@ -114,7 +114,7 @@ pub(crate) fn solve(given: &[Vec<DVec3>], options: &Options, exec: &Execution) -
     // The boundaries are sorted by shape, so that the order of the client's list does not change the films.
     let order = order_of(given);
     let boundaries: &[Vec<DVec3>] = &order.iter().map(|&k| given[k].clone()).collect::<Vec<_>>();
-    let full = SpanningProblem::new(boundaries, &order, options.clone());
+    let full = SpanningProblem::new(boundaries, options.clone());
     // The discs are solved first, so that there is a result if the rest is interrupted.
     let mut sets: Vec<u32> = (1..1 << count).collect();
     sets.sort_by_key(|set| (set.count_ones(), *set));
@@ -123,7 +123,7 @@ pub(crate) fn solve(given: &[Vec<DVec3>], options: &Options, exec: &Execution) -
     let is_large = estimate(boundaries, options).triangles > 2.0 * compared_at as f64;
     let coarse = is_large.then(|| {
         let resolution = Resolution::Triangles(compared_at);
-        SpanningProblem::new(boundaries, &order, Options { resolution, ..options.clone() })
+        SpanningProblem::new(boundaries, Options { resolution, ..options.clone() })
     });
     let share = if is_large { 0.5 } else { 1.0 };
     let mut parts = exec.part([0.0, share], |exec| coarse.as_ref().unwrap_or(&full).parts(&sets, None, exec))?;
@@ -182,7 +182,7 @@ pub(crate) fn connected_film(
     // As in `solve`, so that both find the same films.
     let order = order_of(boundaries);
     let sorted: Vec<Vec<DVec3>> = order.iter().map(|&k| boundaries[k].clone()).collect();
-    let problem = SpanningProblem::new(&sorted, &order, options.clone());
+    let problem = SpanningProblem::new(&sorted, options.clone());
     match problem.part((1 << boundaries.len()) - 1, None, exec) {
         Ok(part) if spans(&part) => Ok(together(boundaries, &[(order, &part)]).map(|film| SolvedFilm { film, ..part })),
         Ok(_) => Ok(None),
@@ -366,22 +366,12 @@ struct SpanningProblem<'a> {
     total: f64,
     /// Largest distance of a boundary point from the mean of all boundary points.
     radius: f64,
-    /// Another order in which the connected film over all boundaries is tried: exchanged for two boundaries, the order of
-    /// the caller's list for more. Empty if there is none.
-    other_order: Vec<usize>,
 }
 
 impl<'a> SpanningProblem<'a> {
-    /// `order` has the number of each boundary in the caller's list.
-    fn new(boundaries: &'a [Vec<DVec3>], order: &[usize], options: Options) -> Self {
-        let mut other_order: Vec<usize> = (0..order.len()).collect();
-        match order {
-            [_, _] => other_order.reverse(),
-            _ if order.is_sorted() => other_order.clear(),
-            _ => other_order.sort_by_key(|&k| order[k]),
-        }
+    fn new(boundaries: &'a [Vec<DVec3>], options: Options) -> Self {
         let total = boundaries.iter().map(|boundary| polyline::length(boundary, true)).sum();
-        Self { boundaries, options, total, radius: polyline::radius(&boundaries.concat()), other_order }
+        Self { boundaries, options, total, radius: polyline::radius(&boundaries.concat()) }
     }
 
     /// Carries out steps 1 and 4 for some sets. If `coarse` has a film over a set, the set is solved only from an
@@ -485,24 +475,36 @@ impl<'a> SpanningProblem<'a> {
         };
         let mut least = (rank(&first)?, first);
         let mut tried = vec![least.1.kind];
-        let otherwise = [InitialMesh::Disk, InitialMesh::Planar, InitialMesh::Rings].map(|start| (start, None));
+        let otherwise = [InitialMesh::Disk, InitialMesh::Planar, InitialMesh::Rings].map(|start| (start, None, None));
         // Several boundaries can be laid out in the plane in several ways. If the most likely layout gives a surface
         // that does not hold or passes through itself, another layout may give a film. If the first solve does not
-        // converge, no other layout is tried: nearly always there is no film, and each solve would take as long.
+        // converge, nearly always there is no film, and each solve takes as long. The other layouts are then tried only
+        // for the film over all boundaries. Such a film depends much on its start, so the least of all is taken.
         let has_converged = least.1.run.stop_reason == StopReason::Residual;
-        let layouts = if has_converged { initial_mesh::arrangements(boundaries) } else { 0 };
-        let layouts = (0..layouts).map(|k| (InitialMesh::Disk, Some(k)));
-        for (start, arrangement) in otherwise.into_iter().chain(layouts) {
-            let is_needless = match arrangement {
-                None => tried.iter().any(|&kind| is_of_kind(&start, kind)),
-                Some(_) => least.0 == (false, false),
+        let is_whole = boundaries.len() == self.boundaries.len();
+        let layouts = if has_converged || is_whole { initial_mesh::arrangements(boundaries) } else { 0 };
+        let layouts = (0..layouts).map(|k| (InitialMesh::Disk, Some(k), None));
+        let orders = if is_whole { other_orders(boundaries.len()) } else { Vec::new() };
+        let orders = orders.into_iter().map(|order| (InitialMesh::Auto, None, Some(order)));
+        // Whether the least film comes from a chosen layout or another order.
+        let mut is_chosen = false;
+        for (start, arrangement, order) in otherwise.into_iter().chain(layouts).chain(orders) {
+            let chooses = arrangement.is_some() || order.is_some();
+            let is_needless = if chooses {
+                least.0 == (false, false) && (has_converged || !is_chosen)
+            } else {
+                tried.iter().any(|&kind| is_of_kind(&start, kind))
             };
             if is_needless || least.1.run.stop_reason == StopReason::Deadline {
                 continue;
             }
-            let next = match self.connected(boundaries, &start, arrangement, true, exec) {
-                Ok(next) => next,
-                Err(Error::NoResult { .. } | Error::Input(_)) => continue,
+            let next = match &order {
+                Some(order) => self.in_other_order(boundaries, order, exec),
+                None => self.connected(boundaries, &start, arrangement, true, exec).map(Some),
+            };
+            let next = match next {
+                Ok(Some(next)) => next,
+                Ok(None) | Err(Error::NoResult { .. } | Error::Input(_)) => continue,
                 Err(Error::Interrupted(Interruption::DeadlinePassed)) => break,
                 Err(error) => return Err(error),
             };
@@ -511,30 +513,22 @@ impl<'a> SpanningProblem<'a> {
             let is_less = next.film.area() < (1.0 - EQUAL_AREA) * least.1.film.area();
             if rank < least.0 || (rank == least.0 && is_less) {
                 least = (rank, next);
-            }
-        }
-        if boundaries.len() == self.boundaries.len()
-            && !self.other_order.is_empty()
-            && least.0 != (false, false)
-            && least.1.run.stop_reason != StopReason::Deadline
-        {
-            match self.in_other_order(boundaries, exec) {
-                Ok(Some(next)) if rank(&next)? < least.0 => return Ok(next),
-                Ok(_)
-                | Err(Error::NoResult { .. } | Error::Input(_) | Error::Interrupted(Interruption::DeadlinePassed)) => {}
-                Err(error) => return Err(error),
+                is_chosen = chooses;
             }
         }
         Ok(least.1)
     }
 
-    /// Solves all boundaries in the other order. A film may be found in one order only, because the initial mesh depends
-    /// on the order. If two boundaries are equally long, the first one becomes the outer circle of the annulus, and
-    /// vertices are numbered in the order of the boundaries. The loops of the returned film are in the usual order.
-    fn in_other_order(&self, boundaries: &[Vec<DVec3>], exec: &Execution) -> Result<Option<SolvedFilm>, Error> {
-        let listed: Vec<Vec<DVec3>> = self.other_order.iter().map(|&k| boundaries[k].clone()).collect();
+    /// Solves all boundaries in another order. The loops of the returned film are in the usual order.
+    fn in_other_order(
+        &self,
+        boundaries: &[Vec<DVec3>],
+        order: &[usize],
+        exec: &Execution,
+    ) -> Result<Option<SolvedFilm>, Error> {
+        let listed: Vec<Vec<DVec3>> = order.iter().map(|&k| boundaries[k].clone()).collect();
         let solved = self.connected(&listed, &InitialMesh::Auto, None, true, exec)?;
-        let film = together(boundaries, &[(self.other_order.clone(), &solved)]);
+        let film = together(boundaries, &[(order.to_vec(), &solved)]);
         Ok(film.map(|film| SolvedFilm { film, ..solved }))
     }
 
@@ -672,6 +666,14 @@ impl<'a> SpanningProblem<'a> {
         let run = newton::run(&mut film, task, exec)?;
         Ok(SolvedFilm { film, run, ..part.clone() })
     }
+}
+
+/// The orders, besides the usual one, in which the connected film over all boundaries is tried: each other boundary
+/// comes first once. A film may be found in one order only, because of boundaries that are equally long the first one
+/// becomes the outer circle of the plane layout.
+fn other_orders(count: usize) -> Vec<Vec<usize>> {
+    let with_first = |first: usize| std::iter::once(first).chain((0..count).filter(|&k| k != first)).collect();
+    (1..count).map(with_first).collect()
 }
 
 /// Whether the choice `start` leads to an initial mesh of this kind.
