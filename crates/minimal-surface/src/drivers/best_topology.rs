@@ -669,8 +669,8 @@ impl<'a> SpanningProblem<'a> {
 }
 
 /// The orders, besides the usual one, in which the connected film over all boundaries is tried: each other boundary
-/// comes first once. A film may be found in one order only, because of boundaries that are equally long the first one
-/// becomes the outer circle of the plane layout.
+/// comes first once. A film may be found in one order only, because the initial mesh depends on the order: the first of
+/// equally long boundaries becomes the outer circle of the plane layout.
 fn other_orders(count: usize) -> Vec<Vec<usize>> {
     let with_first = |first: usize| std::iter::once(first).chain((0..count).filter(|&k| k != first)).collect();
     (1..count).map(with_first).collect()
