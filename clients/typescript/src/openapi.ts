@@ -4085,7 +4085,7 @@ export interface components {
         };
         /**
          * @description `fixed` keeps the topology of the initial mesh. `free` allows necks to pinch. `best` solves every spanning topology
-         *     and returns the surface of least area.
+         *     and returns the surface of least area. Surfaces that pass through themselves or each other come after all others.
          * @enum {string}
          */
         Topology: "fixed" | "free" | "best";

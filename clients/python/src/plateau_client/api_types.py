@@ -155,7 +155,7 @@ Status = Literal['queued', 'running', 'succeeded', 'failed', 'cancelled']
 TensileStructureKind = Literal['tensile_structure']
 Topology = Literal['fixed', 'free', 'best']
 """`fixed` keeps the topology of the initial mesh. `free` allows necks to pinch. `best` solves every spanning topology
-and returns the surface of least area."""
+and returns the surface of least area. Surfaces that pass through themselves or each other come after all others."""
 UniformMeshKind = Literal['uniform_mesh']
 UniformMeshObjective = Literal['fewest_nodes', 'most_equal_edges']
 """Quantity that is optimised.

@@ -463,13 +463,16 @@ fn fixed_and_free_find_the_connected_film_that_best_finds() {
 
 #[test]
 fn best_finds_the_connected_film_that_fixed_finds() {
-    // A strip of triangles between the two loops has the area 2.497, so that a connected film of less area exists. The
-    // discs have 13.34.
-    let (statistics, warnings) = solved("spiky_loops_that_cross_best");
-    let found = statistics["area"].as_f64().unwrap();
-    assert!((found / 2.195 - 1.0).abs() < 1e-3, "{found}, {warnings:?}");
-    assert_eq!((&statistics["converged"], &statistics["components"]), (&true.into(), &1.into()));
-    assert_eq!(statistics["spanning"]["connected_film_exists"], true);
+    // A strip of triangles between the first two loops has the area 2.497, so that a connected film of less area exists.
+    // The discs have 13.34. The film of the second two is found on coarse meshes, and at the full size only from another
+    // start. The discs have 10.06 and cross.
+    for (name, area) in [("spiky_loops_that_cross_best", 2.195), ("spiky_loops_best_5000", 3.8555)] {
+        let (statistics, warnings) = solved(name);
+        let found = statistics["area"].as_f64().unwrap();
+        assert!((found / area - 1.0).abs() < 1e-3, "{name}: {found} for {area}, {warnings:?}");
+        assert_eq!((&statistics["converged"], &statistics["components"]), (&true.into(), &1.into()), "{name}");
+        assert_eq!(statistics["spanning"]["connected_film_exists"], true, "{name}");
+    }
 }
 
 #[test]

@@ -11,8 +11,9 @@
 //! 2. A spanning topology is a partition of the boundaries with one connected film for each of its sets. Its area and
 //!    its Morse index are the sums over the films. A partition with a set that does not hold is listed without an area.
 //! 3. The partition of least area is returned. The statistics list the others. If many triangles are asked for, all
-//!    partitions are compared on coarse meshes, and those near the least area again at the full size. Partitions
-//!    whose films pass through themselves or each other come after all others, whatever their area.
+//!    partitions are compared on coarse meshes, and those near the least area again at the full size, where the
+//!    start that led to the coarse film is tried first and the others only if its film does not hold. Partitions whose
+//!    films pass through themselves or each other come after all others, whatever their area.
 //! 4. If the connected film over two boundaries does not hold, the boundaries are moved together along the line of
 //!    their centroids until a connected film holds. They are then moved apart again in steps, each of which starts from
 //!    the film of the step before. If no film holds at a step, the step is halved. The result is the largest fraction
@@ -374,8 +375,9 @@ impl<'a> SpanningProblem<'a> {
         Self { boundaries, options, total, radius: polyline::radius(&boundaries.concat()) }
     }
 
-    /// Carries out steps 1 and 4 for some sets. If `coarse` has a film over a set, the set is solved only from an
-    /// initial mesh of the same kind as led to this film. Otherwise it is solved from all initial meshes.
+    /// Carries out steps 1 and 4 for some sets. If `coarse` has a film over a set, the set is solved from an initial mesh
+    /// of the same kind as led to this film. If this leads to no film that holds, or if `coarse` has none, the set is
+    /// solved from all initial meshes.
     fn parts(&self, sets: &[u32], coarse: Option<&Parts>, exec: &Execution) -> Result<Parts, Error> {
         let count = self.boundaries.len();
         let mut parts =
@@ -445,7 +447,7 @@ impl<'a> SpanningProblem<'a> {
         newton::Task { limits, on_unstable, given: false, may_widen: true, may_refine, boundary_edges, slides }
     }
 
-    /// Step 1 for one set, from the given start or from all of them.
+    /// Step 1 for one set. If the given start leads to a film that holds, no other start is tried.
     fn part(
         &self,
         set: u32,
@@ -453,19 +455,20 @@ impl<'a> SpanningProblem<'a> {
         exec: &Execution,
     ) -> Result<SolvedFilm, Error> {
         let boundaries: Vec<Vec<DVec3>> = members(set).into_iter().map(|k| self.boundaries[k].clone()).collect();
-        match start {
-            Some((start, arrangement)) => self.connected(&boundaries, &start, arrangement, true, exec),
-            None => match cone::part(&boundaries, exec)? {
-                Some(parted) => Err(cone::refusal(&parted)),
-                None => self.least(&boundaries, exec),
-            },
+        if let Some((start, arrangement)) = start {
+            let first = self.connected(&boundaries, &start, arrangement, true, exec)?;
+            return if spans(&first) { Ok(first) } else { self.least(&boundaries, first, exec) };
         }
+        if let Some(parted) = cone::part(&boundaries, exec)? {
+            return Err(cone::refusal(&parted));
+        }
+        let first = self.connected(&boundaries, &InitialMesh::Auto, None, true, exec)?;
+        self.least(&boundaries, first, exec)
     }
 
-    /// Returns the film of least area among those from all initial meshes. Films that hold come first, and among these
-    /// the films that do not pass through themselves.
-    fn least(&self, boundaries: &[Vec<DVec3>], exec: &Execution) -> Result<SolvedFilm, Error> {
-        let first = self.connected(boundaries, &InitialMesh::Auto, None, true, exec)?;
+    /// Returns the film of least area among the first and those from the other initial meshes. Films that hold come
+    /// first, and among these the films that do not pass through themselves.
+    fn least(&self, boundaries: &[Vec<DVec3>], first: SolvedFilm, exec: &Execution) -> Result<SolvedFilm, Error> {
         if boundaries.len() == 1 {
             return Ok(first);
         }

@@ -375,7 +375,7 @@ pub struct Constraints {
 }
 
 /// `fixed` keeps the topology of the initial mesh. `free` allows necks to pinch. `best` solves every spanning topology
-/// and returns the surface of least area.
+/// and returns the surface of least area. Surfaces that pass through themselves or each other come after all others.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Topology {
