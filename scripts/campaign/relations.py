@@ -152,8 +152,16 @@ def contradiction(best, other):
             return f"best failed with {best.error}, and a connected film of {other.stated('/area')} exists"
         if best.stated("/spanning/connected_film_exists") is not True:
             return f"best knows no connected film, and one of {other.stated('/area')} exists"
-        if best.stated("/area") > other.stated("/area") + slack and not best.warns("films_cross"):
-            return f"best has {best.stated('/area')}, and a connected film of {other.stated('/area')} exists"
+        # Films that pass through themselves or each other come after all others, whatever their area.
+        crosses = (other.stated("/self_intersections") or 0) > 0
+        whole = next(way for way in best.stated("/spanning/topologies") if len(way["films"]) == 1)
+        if best.warns("films_cross") and not crosses:
+            return f"best has films that cross, and a connected film of {other.stated('/area')} does not cross itself"
+        if crosses and not whole["films_cross"]:
+            return None
+        least = whole["area"] if crosses else best.stated("/area")
+        if least > other.stated("/area") + slack:
+            return f"best has {least}, and a connected film of {other.stated('/area')} exists"
     elif connected(best) and best.stated("/converged"):
         if not other.succeeded:
             return f"{other.error} is stated, and best has the film of {best.stated('/area')}"
