@@ -451,8 +451,12 @@ fn no_solver_works_for_long_without_a_look_at_the_signal() {
 
 #[test]
 fn fixed_and_free_find_the_connected_film_that_best_finds() {
-    let cases =
-        [("spiky_loops_fixed", 0.4906), ("three_spiky_loops_fixed", 9.9329), ("loops_of_111_points_free", 1.8227)];
+    let cases = [
+        ("spiky_loops_fixed", 0.4906),
+        ("spiky_loops_fixed_5000", 3.228),
+        ("three_spiky_loops_fixed", 9.9329),
+        ("loops_of_111_points_free", 1.8227),
+    ];
     for (name, area) in cases {
         let (statistics, warnings) = solved(name);
         let found = statistics["area"].as_f64().unwrap();
@@ -464,8 +468,7 @@ fn fixed_and_free_find_the_connected_film_that_best_finds() {
 #[test]
 fn best_finds_the_connected_film_that_fixed_finds() {
     // A strip of triangles between the first two loops has the area 2.497, so that a connected film of less area exists.
-    // The discs have 13.34. The film of the second two is found on coarse meshes, and at the full size only from another
-    // start. The discs have 10.06 and cross.
+    // The discs have 13.34. The film of the second two is found on coarse meshes, and at the full size only from these. The discs have 10.06 and cross.
     for (name, area) in [("spiky_loops_that_cross_best", 2.195), ("spiky_loops_best_5000", 3.8555)] {
         let (statistics, warnings) = solved(name);
         let found = statistics["area"].as_f64().unwrap();

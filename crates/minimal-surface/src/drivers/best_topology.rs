@@ -11,9 +11,10 @@
 //! 2. A spanning topology is a partition of the boundaries with one connected film for each of its sets. Its area and
 //!    its Morse index are the sums over the films. A partition with a set that does not hold is listed without an area.
 //! 3. The partition of least area is returned. The statistics list the others. If many triangles are asked for, all
-//!    partitions are compared on coarse meshes, and those near the least area again at the full size, where the
-//!    start that led to the coarse film is tried first and the others only if its film does not hold. Partitions whose
-//!    films pass through themselves or each other come after all others, whatever their area.
+//!    partitions are compared on coarse meshes, and those near the least area again at the full size, from an initial
+//!    mesh of the same kind as led to the coarse film. If this leads to no film that holds, the coarse film is refined
+//!    and solved again. Partitions whose films pass through themselves or each other come after all others, whatever
+//!    their area.
 //! 4. If the connected film over two boundaries does not hold, the boundaries are moved together along the line of
 //!    their centroids until a connected film holds. They are then moved apart again in steps, each of which starts from
 //!    the film of the step before. If no film holds at a step, the step is halved. The result is the largest fraction
@@ -37,7 +38,7 @@ use plateau_mesh::codes::{Reason, WarningCode};
 use plateau_mesh::crossing::films_cross;
 use plateau_mesh::error::Warning;
 use plateau_mesh::film::Film;
-use plateau_mesh::remesh::isotropic::BoundaryEdges;
+use plateau_mesh::remesh::isotropic::{BoundaryEdges, refine};
 use plateau_mesh::self_intersections::{Order, self_intersections};
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Place, polyline};
 
@@ -119,14 +120,8 @@ pub(crate) fn solve(given: &[Vec<DVec3>], options: &Options, exec: &Execution) -
     // The discs are solved first, so that there is a result if the rest is interrupted.
     let mut sets: Vec<u32> = (1..1 << count).collect();
     sets.sort_by_key(|set| (set.count_ones(), *set));
-    let points: usize = boundaries.iter().map(Vec::len).sum();
-    let compared_at = COMPARED_TRIANGLES.max(2 * TRIANGLES_PER_POINT * points);
-    let is_large = estimate(boundaries, options).triangles > 2.0 * compared_at as f64;
-    let coarse = is_large.then(|| {
-        let resolution = Resolution::Triangles(compared_at);
-        SpanningProblem::new(boundaries, Options { resolution, ..options.clone() })
-    });
-    let share = if is_large { 0.5 } else { 1.0 };
+    let coarse = full.coarse();
+    let share = if coarse.is_some() { 0.5 } else { 1.0 };
     let mut parts = exec.part([0.0, share], |exec| coarse.as_ref().unwrap_or(&full).parts(&sets, None, exec))?;
     let mut compared = parts.compared(&partitions(count), exec)?;
     // The partition into discs has an area unless a boundary bounds no disc.
@@ -135,7 +130,7 @@ pub(crate) fn solve(given: &[Vec<DVec3>], options: &Options, exec: &Execution) -
     }
     let connected_film_exists = parts.films[(1 << count) - 1].is_some();
     let largest_gap_fraction = parts.largest_gap_fraction;
-    if is_large && !parts.interrupted {
+    if coarse.is_some() && !parts.interrupted {
         solve_contenders(&full, share, &mut compared, &mut parts, exec)?;
     }
     compared[0].chosen = true;
@@ -183,13 +178,16 @@ pub(crate) fn connected_film(
     // As in `solve`, so that both find the same films.
     let order = order_of(boundaries);
     let sorted: Vec<Vec<DVec3>> = order.iter().map(|&k| boundaries[k].clone()).collect();
-    let problem = SpanningProblem::new(&sorted, options.clone());
-    match problem.part((1 << boundaries.len()) - 1, None, exec) {
-        Ok(part) if spans(&part) => Ok(together(boundaries, &[(order, &part)]).map(|film| SolvedFilm { film, ..part })),
-        Ok(_) => Ok(None),
+    let whole = (1 << boundaries.len()) - 1;
+    let part = |problem: &SpanningProblem, coarse: Option<&SolvedFilm>| match problem.part(whole, coarse, exec) {
+        Ok(part) => Ok(spans(&part).then_some(part)),
         Err(Error::NoResult { .. } | Error::Input(_) | Error::Interrupted(Interruption::DeadlinePassed)) => Ok(None),
         Err(error) => Err(error),
-    }
+    };
+    let full = SpanningProblem::new(&sorted, options.clone());
+    let coarse = full.coarse().map_or(Ok(None), |problem| part(&problem, None))?;
+    let found = part(&full, coarse.as_ref())?;
+    Ok(found.and_then(|part| together(boundaries, &[(order, &part)]).map(|film| SolvedFilm { film, ..part })))
 }
 
 /// Solves at the full size the topologies whose areas on the coarse meshes are within [`CONTENDS`] of the least one. If
@@ -375,9 +373,16 @@ impl<'a> SpanningProblem<'a> {
         Self { boundaries, options, total, radius: polyline::radius(&boundaries.concat()) }
     }
 
-    /// Carries out steps 1 and 4 for some sets. If `coarse` has a film over a set, the set is solved from an initial mesh
-    /// of the same kind as led to this film. If this leads to no film that holds, or if `coarse` has none, the set is
-    /// solved from all initial meshes.
+    /// The same boundaries with coarse meshes, if so many triangles are asked for that the coarse films come first.
+    fn coarse(&self) -> Option<Self> {
+        let points: usize = self.boundaries.iter().map(Vec::len).sum();
+        let compared_at = COMPARED_TRIANGLES.max(2 * TRIANGLES_PER_POINT * points);
+        let resolution = Resolution::Triangles(compared_at);
+        (estimate(self.boundaries, &self.options).triangles > 2.0 * compared_at as f64)
+            .then(|| Self::new(self.boundaries, Options { resolution, ..self.options.clone() }))
+    }
+
+    /// Carries out steps 1 and 4 for some sets, with the films that `coarse` has of them.
     fn parts(&self, sets: &[u32], coarse: Option<&Parts>, exec: &Execution) -> Result<Parts, Error> {
         let count = self.boundaries.len();
         let mut parts =
@@ -386,8 +391,7 @@ impl<'a> SpanningProblem<'a> {
         for (k, &set) in sets.iter().enumerate() {
             let share = [share * k as f64, share * (k + 1) as f64];
             let known = coarse.and_then(|coarse| coarse.films[set as usize].as_ref());
-            let start = known.map(|film| (start_of(film.kind), film.arrangement));
-            match exec.part(share, |exec| self.part(set, start.clone(), exec)) {
+            match exec.part(share, |exec| self.part(set, known, exec)) {
                 Ok(part) => {
                     parts.interrupted |= part.run.stop_reason == StopReason::Deadline;
                     parts.films[set as usize] = (set.count_ones() == 1 || spans(&part)).then_some(part);
@@ -447,28 +451,44 @@ impl<'a> SpanningProblem<'a> {
         newton::Task { limits, on_unstable, given: false, may_widen: true, may_refine, boundary_edges, slides }
     }
 
-    /// Step 1 for one set. If the given start leads to a film that holds, no other start is tried.
-    fn part(
-        &self,
-        set: u32,
-        start: Option<(InitialMesh, Option<usize>)>,
-        exec: &Execution,
-    ) -> Result<SolvedFilm, Error> {
+    /// Step 1 for one set, or step 3 if coarse meshes have a film over the set.
+    fn part(&self, set: u32, coarse: Option<&SolvedFilm>, exec: &Execution) -> Result<SolvedFilm, Error> {
         let boundaries: Vec<Vec<DVec3>> = members(set).into_iter().map(|k| self.boundaries[k].clone()).collect();
-        if let Some((start, arrangement)) = start {
-            let first = self.connected(&boundaries, &start, arrangement, true, exec)?;
-            return if spans(&first) { Ok(first) } else { self.least(&boundaries, first, exec) };
+        let Some(coarse) = coarse else {
+            return match cone::part(&boundaries, exec)? {
+                Some(parted) => Err(cone::refusal(&parted)),
+                None => self.least(&boundaries, exec),
+            };
+        };
+        match self.connected(&boundaries, &start_of(coarse.kind), coarse.arrangement, true, exec) {
+            Ok(film) if spans(&film) || !spans(coarse) || film.run.stop_reason == StopReason::Deadline => Ok(film),
+            Ok(_) | Err(Error::NoResult { .. } | Error::Input(_)) => self.refined(&boundaries, coarse, exec),
+            Err(error) => Err(error),
         }
-        if let Some(parted) = cone::part(&boundaries, exec)? {
-            return Err(cone::refusal(&parted));
-        }
-        let first = self.connected(&boundaries, &InitialMesh::Auto, None, true, exec)?;
-        self.least(&boundaries, first, exec)
     }
 
-    /// Returns the film of least area among the first and those from the other initial meshes. Films that hold come
-    /// first, and among these the films that do not pass through themselves.
-    fn least(&self, boundaries: &[Vec<DVec3>], first: SolvedFilm, exec: &Execution) -> Result<SolvedFilm, Error> {
+    /// Refines a film that coarse meshes have to the wanted edge length, and solves it again.
+    fn refined(&self, boundaries: &[Vec<DVec3>], coarse: &SolvedFilm, exec: &Execution) -> Result<SolvedFilm, Error> {
+        let options = self.options_for(boundaries);
+        let mut film = coarse.film.clone();
+        let initial_area = film.area();
+        let of_count = |triangles: usize| (initial_area / (0.75f64.sqrt() / 2.0 * triangles as f64)).sqrt();
+        let length = match options.resolution {
+            Resolution::Triangles(count) => of_count(count),
+            Resolution::InteriorVertices(count) => of_count(2 * count),
+            Resolution::EdgeLength(length) => length,
+        };
+        let sizes = vec![length; film.vertices.len()];
+        refine(&mut film, sizes, newton::REFINING_PASSES, options.boundary_edges(), exec)?;
+        let mut run = newton::run(&mut film, Self::task(&options, options.boundary_edges(), true), exec)?;
+        run.refined |= coarse.run.refined;
+        Ok(SolvedFilm { film, initial_area, run, ..coarse.clone() })
+    }
+
+    /// Returns the film of least area among those from all initial meshes. Films that hold come first, and among these
+    /// the films that do not pass through themselves.
+    fn least(&self, boundaries: &[Vec<DVec3>], exec: &Execution) -> Result<SolvedFilm, Error> {
+        let first = self.connected(boundaries, &InitialMesh::Auto, None, true, exec)?;
         if boundaries.len() == 1 {
             return Ok(first);
         }

@@ -57,7 +57,7 @@ const DEGENERATE: f64 = 1e-3;
 /// Largest number of refinements of a neck.
 const MOST_LOOKS: u32 = 4;
 /// Largest number of passes of one refinement. Each pass halves the longest edges once.
-const REFINING_PASSES: u32 = 8;
+pub const REFINING_PASSES: u32 = 8;
 
 /// Instructions for a run.
 #[derive(Clone, Copy, Debug)]
