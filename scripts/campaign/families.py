@@ -179,17 +179,23 @@ def spiky(random, count):
     return points
 
 
-@family
-def fault_topologies_side_by_side(random):
+def spiky_loops(random, numbers):
+    """A polygon with spikes and as many others near it as are drawn from `numbers`, in any order and sense."""
     first = spiky(random, random.randint(12, 40))
     loops = [first]
-    for k in range(random.choice([1, 1, 1, 2])):
+    for k in range(random.choice(numbers)):
         base = first if random.random() < 0.7 else spiky(random, random.randint(12, 40))
         turn, gap, side = random.uniform(0, TURN), (k + 1) * random.uniform(0.0, random.choice([0.1, 0.5])), random.uniform(0, 0.2)
         cos, sin = math.cos(turn), math.sin(turn)
         loop = [[cos * x - sin * y + side, sin * x + cos * y, z + gap] for x, y, z in base]
         loops.append(loop[::-1] if random.random() < 0.5 else loop)
     random.shuffle(loops)
+    return loops
+
+
+@family
+def fault_topologies_side_by_side(random):
+    loops = spiky_loops(random, [1, 1, 1, 2])
     return Case({**film(loops, random.choice([1000, 2000, 3000])), "topology": "best"}, ("as_fixed", "as_free", "reordered"))
 
 
@@ -1154,3 +1160,10 @@ def fault_scan_of_many_points(random):
         r = radius + random.uniform(-noise, noise)
         rim.append([r * math.cos(a), r * math.sin(a), z])
     return Case(film([rim], random.choice([2000, 4000])), (), [converges])
+
+
+@family
+def fault_topologies_of_large_meshes(random):
+    """Above 4,000 triangles the topologies are compared on coarse meshes first."""
+    loops = spiky_loops(random, [1])
+    return Case({**film(loops, random.randint(4500, 9000)), "topology": "best"}, ("as_fixed", "as_free", "reordered"))
