@@ -214,7 +214,14 @@ fn solve_contenders(
         let mut sets: Vec<u32> = contenders.iter().flatten().copied().collect();
         sets.sort_by_key(|set| (set.count_ones(), *set));
         sets.dedup();
-        let finer = exec.part([share, 1.0], |exec| full.parts(&sets, Some(&*parts), exec))?;
+        let finer = match exec.part([share, 1.0], |exec| full.parts(&sets, Some(&*parts), exec)) {
+            // The films of the coarse meshes remain.
+            Err(Error::Interrupted(Interruption::DeadlinePassed)) => {
+                parts.interrupted = true;
+                return Ok(());
+            }
+            finer => finer?,
+        };
         let mut found = finer.compared(&contenders, exec)?;
         if found[0].area.is_some() {
             let is_finer = |topology: &SpanningTopology| found.iter().any(|finer| finer.films == topology.films);

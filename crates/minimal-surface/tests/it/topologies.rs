@@ -308,3 +308,16 @@ fn a_deadline_in_the_middle_gives_the_discs() {
     let discs = &comparison(&surface).topologies[0];
     assert_eq!((discs.films.len(), discs.films_cross), (2, None));
 }
+
+#[test]
+fn a_deadline_at_the_full_size_leaves_the_coarse_discs() {
+    // The topologies are compared in the first half of the work. The plane discs of the full size are the rest.
+    let late = Cell::new(false);
+    let signal = || if late.get() { Signal::Deadline } else { Signal::Continue };
+    let report = |progress: Progress| late.set(late.get() || progress.fraction > 0.5);
+    let options = by_topology(TopologyRule::Best, 9000);
+    let surface = solve(&rings(&[0.0, 13.2]), &options, &Execution::new(&signal, &report)).unwrap();
+    assert_eq!(surface.statistics.stop_reason.name(), "deadline");
+    assert!((surface.statistics.area - TWO_DISCS).abs() < 1e-9);
+    assert!(surface.mesh.triangles.len() < 4000);
+}
