@@ -467,9 +467,9 @@ fn fixed_and_free_find_the_connected_film_that_best_finds() {
 
 #[test]
 fn best_finds_the_connected_film_that_fixed_finds() {
-    // A strip of triangles between the first two loops has the area 2.497, so that a connected film of less area exists.
-    // The discs have 13.34. The film of the second two is found on coarse meshes, and at the full size only from these.
-    // The discs have 10.06 and cross.
+    // A strip of triangles between the two loops of the first case has the area 2.497, so that a connected film of less
+    // area exists. The discs have 13.34. The film of the second case is found on coarse meshes, and at the full size
+    // only from these. Its discs have 10.06 and cross.
     for (name, area) in [("spiky_loops_that_cross_best", 2.195), ("spiky_loops_best_5000", 3.8555)] {
         let (statistics, warnings) = solved(name);
         let found = statistics["area"].as_f64().unwrap();

@@ -165,8 +165,8 @@ pub(crate) fn solve(given: &[Vec<DVec3>], options: &Options, exec: &Execution) -
     Ok(SolvedFilm { film, kind: chosen[0].kind, arrangement: None, initial_area, run })
 }
 
-/// Returns the connected film over all boundaries that step 1 finds, or `None` if none holds. The boundary loops of the
-/// film are in the given order.
+/// Returns the connected film over all boundaries that steps 1 and 3 find, or `None` if none holds. The boundary loops
+/// of the film are in the given order.
 ///
 /// # Errors
 /// [`Error::Interrupted`] on cancel.
@@ -474,7 +474,7 @@ impl<'a> SpanningProblem<'a> {
         }
     }
 
-    /// Refines a film that coarse meshes have to the wanted edge length, and solves it again.
+    /// Refines the film of a coarse mesh to the wanted edge length and solves it again. Shorter edges at necks stay.
     fn refined(&self, boundaries: &[Vec<DVec3>], coarse: &SolvedFilm, exec: &Execution) -> Result<SolvedFilm, Error> {
         let options = self.options_for(boundaries);
         let mut film = coarse.film.clone();
