@@ -88,7 +88,7 @@ use outcome::finish;
 use plateau_equilibrium::form_finding::StopReason;
 use plateau_mesh::complex::has_junctions;
 use plateau_mesh::film::Film;
-use plateau_mesh::{DVec3, Error, Execution};
+use plateau_mesh::{DVec3, Error, Execution, Interruption};
 use request::Input;
 use run::Run;
 use solved_film::SolvedFilm;
@@ -165,10 +165,14 @@ fn solve_input(input: Input, options: &Options, exec: &Execution) -> Result<Mini
             SolvedFilm { film, kind, arrangement: None, initial_area, run }
         }
     };
-    if joined.is_none()
-        && let Some(other) = other_start(boundaries, options, &solved, exec)?
-    {
-        solved = other;
+    if joined.is_none() {
+        match other_start(boundaries, options, &solved, exec) {
+            Ok(Some(other)) => solved = other,
+            Ok(None) => {}
+            // Another start may lead to a film, so that the failure of this one decides nothing.
+            Err(Error::Interrupted(Interruption::DeadlinePassed)) => solved.run.stop_reason = StopReason::Deadline,
+            Err(error) => return Err(error),
+        }
     }
     if let (Some(bound), Method::Newton(_)) = (options.curvature_tolerance, &options.method) {
         curvature_bound::reach(&mut solved.film, &mut solved.run, bound, options.limits(), exec)?;

@@ -6,8 +6,9 @@
 //!    also starts from each way to lay out the boundaries in the disc. For the film over all boundaries it does so
 //!    whenever none holds, and also starts with each other boundary as the first. A film *holds* if it converged, is
 //!    stable, is connected and has no flipped triangle. Of the films of a set that hold, the one of least area is
-//!    taken. A film that passes through itself is taken only if all of them do. If a [cone](crate::cone) separates the
-//!    boundaries of a set, the set is not tried, because no connected film spans it.
+//!    taken. A film that passes through itself is taken only if all of them do. If none of the films over all boundaries
+//!    holds, the same is done with a mesh of half as many triangles, and its film is refined and solved again. If a
+//!    [cone](crate::cone) separates the boundaries of a set, the set is not tried, because no connected film spans it.
 //! 2. A spanning topology is a partition of the boundaries with one connected film for each of its sets. Its area and
 //!    its Morse index are the sums over the films. A partition with a set that does not hold is listed without an area.
 //! 3. The partition of least area is returned. The statistics list the others. If many triangles are asked for, all
@@ -165,11 +166,12 @@ pub(crate) fn solve(given: &[Vec<DVec3>], options: &Options, exec: &Execution) -
     Ok(SolvedFilm { film, kind: chosen[0].kind, arrangement: None, initial_area, run })
 }
 
-/// Returns the connected film over all boundaries that steps 1 and 3 find, or `None` if none holds. The boundary loops
-/// of the film are in the given order.
+/// Returns the connected film over all boundaries that steps 1 and 3 find, or `None` if none holds. If the deadline
+/// passes at the full size, the film of the coarse mesh is returned. The boundary loops of the film are in the given
+/// order.
 ///
 /// # Errors
-/// [`Error::Interrupted`] on cancel.
+/// [`Error::Interrupted`] on cancel, and at a deadline that passes before there is a film.
 pub(crate) fn connected_film(
     boundaries: &[Vec<DVec3>],
     options: &Options,
@@ -180,13 +182,20 @@ pub(crate) fn connected_film(
     let sorted: Vec<Vec<DVec3>> = order.iter().map(|&k| boundaries[k].clone()).collect();
     let whole = (1 << boundaries.len()) - 1;
     let part = |problem: &SpanningProblem, coarse: Option<&SolvedFilm>| match problem.part(whole, coarse, exec) {
-        Ok(part) => Ok(spans(&part).then_some(part)),
-        Err(Error::NoResult { .. } | Error::Input(_) | Error::Interrupted(Interruption::DeadlinePassed)) => Ok(None),
+        Ok(part) if spans(&part) => Ok(Some(part)),
+        Ok(part) if part.run.stop_reason == StopReason::Deadline => Err(late()),
+        Ok(_) | Err(Error::NoResult { .. } | Error::Input(_)) => Ok(None),
         Err(error) => Err(error),
     };
     let full = SpanningProblem::new(&sorted, options.clone());
     let coarse = full.coarse().map_or(Ok(None), |problem| part(&problem, None))?;
-    let found = part(&full, coarse.as_ref())?;
+    let found = match (part(&full, coarse.as_ref()), coarse) {
+        (Err(Error::Interrupted(Interruption::DeadlinePassed)), Some(mut coarse)) => {
+            coarse.run.stop_reason = StopReason::Deadline;
+            Some(coarse)
+        }
+        (found, _) => found?,
+    };
     Ok(found.and_then(|part| together(boundaries, &[(order, &part)]).map(|film| SolvedFilm { film, ..part })))
 }
 
@@ -384,9 +393,14 @@ impl<'a> SpanningProblem<'a> {
     fn coarse(&self) -> Option<Self> {
         let points: usize = self.boundaries.iter().map(Vec::len).sum();
         let compared_at = COMPARED_TRIANGLES.max(2 * TRIANGLES_PER_POINT * points);
-        let resolution = Resolution::Triangles(compared_at);
         (estimate(self.boundaries, &self.options).triangles > 2.0 * compared_at as f64)
-            .then(|| Self::new(self.boundaries, Options { resolution, ..self.options.clone() }))
+            .then(|| self.with_triangles(compared_at))
+    }
+
+    /// The same boundaries with meshes of this many triangles.
+    fn with_triangles(&self, triangles: usize) -> Self {
+        let resolution = Resolution::Triangles(triangles);
+        Self::new(self.boundaries, Options { resolution, ..self.options.clone() })
     }
 
     /// Carries out steps 1 and 4 for some sets, with the films that `coarse` has of them.
@@ -423,7 +437,8 @@ impl<'a> SpanningProblem<'a> {
             match exec.part([0.9, 1.0], |exec| self.widest_gap(exec)) {
                 Ok(LargestGap::Full(part)) => parts.films[whole as usize] = Some(*part),
                 Ok(LargestGap::Fraction(fraction)) => parts.largest_gap_fraction = Some(fraction),
-                Ok(LargestGap::NotFound) | Err(Error::Interrupted(Interruption::DeadlinePassed)) => {}
+                Ok(LargestGap::NotFound) => {}
+                Err(Error::Interrupted(Interruption::DeadlinePassed)) => parts.interrupted = true,
                 Err(error) => return Err(error),
             }
         }
@@ -464,13 +479,37 @@ impl<'a> SpanningProblem<'a> {
         let Some(coarse) = coarse else {
             return match cone::part(&boundaries, exec)? {
                 Some(parted) => Err(cone::refusal(&parted)),
-                None => self.least(&boundaries, exec),
+                None => self.least_or_refined(&boundaries, exec),
             };
         };
         match self.connected(&boundaries, &start_of(coarse.kind), coarse.arrangement, true, exec) {
             Ok(film) if spans(&film) || !spans(coarse) || film.run.stop_reason == StopReason::Deadline => Ok(film),
             Ok(_) | Err(Error::NoResult { .. } | Error::Input(_)) => self.refined(&boundaries, coarse, exec),
             Err(error) => Err(error),
+        }
+    }
+
+    /// Step 1 for boundaries that no cone separates.
+    fn least_or_refined(&self, boundaries: &[Vec<DVec3>], exec: &Execution) -> Result<SolvedFilm, Error> {
+        let least = match self.least(boundaries, exec) {
+            Err(error @ Error::Interrupted(_)) => return Err(error),
+            least => least,
+        };
+        let ends = |film: &SolvedFilm| spans(film) || film.run.stop_reason == StopReason::Deadline;
+        let is_whole = boundaries.len() > 1 && boundaries.len() == self.boundaries.len();
+        if !is_whole || least.as_ref().is_ok_and(ends) {
+            return least;
+        }
+        // Where a film is a narrow strip, the starts lead to the film at some sizes of the mesh and not at others.
+        let triangles = estimate(self.boundaries, &self.options).triangles / 2.0;
+        let found = match self.with_triangles(triangles as usize).least(boundaries, exec) {
+            Ok(coarse) if spans(&coarse) => self.refined(boundaries, &coarse, exec),
+            found => found,
+        };
+        match found {
+            Err(error @ Error::Interrupted(_)) => Err(error),
+            Ok(film) if ends(&film) => Ok(film),
+            _ => least,
         }
     }
 
@@ -535,7 +574,7 @@ impl<'a> SpanningProblem<'a> {
             let next = match next {
                 Ok(Some(next)) => next,
                 Ok(None) | Err(Error::NoResult { .. } | Error::Input(_)) => continue,
-                Err(Error::Interrupted(Interruption::DeadlinePassed)) => break,
+                Err(Error::Interrupted(Interruption::DeadlinePassed)) if spans(&least.1) => break,
                 Err(error) => return Err(error),
             };
             tried.push(next.kind);
@@ -585,6 +624,9 @@ impl<'a> SpanningProblem<'a> {
     }
 
     /// Step 4.
+    ///
+    /// # Errors
+    /// [`Error::Interrupted`] on cancel and at a deadline, because the fraction is known only in the end.
     fn widest_gap(&self, exec: &Execution) -> Result<LargestGap, Error> {
         let [first, second] = self.boundaries else { return Ok(LargestGap::NotFound) };
         let gap = polyline::mean(second) - polyline::mean(first);
@@ -603,7 +645,7 @@ impl<'a> SpanningProblem<'a> {
                     held.push((fraction, part));
                     break;
                 }
-                Ok(part) if part.run.stop_reason == StopReason::Deadline => return Ok(LargestGap::NotFound),
+                Ok(part) if part.run.stop_reason == StopReason::Deadline => return Err(late()),
                 Ok(_) | Err(Error::NoResult { .. } | Error::Input(_)) => {}
                 Err(error) => return Err(error),
             }
@@ -617,7 +659,7 @@ impl<'a> SpanningProblem<'a> {
             let may_refine = tried >= 1.0;
             let next = self.moved(part, gap * (tried - fraction), may_refine, None, exec)?;
             if next.run.stop_reason == StopReason::Deadline {
-                return Ok(LargestGap::Fraction(*fraction));
+                return Err(late());
             }
             if spans(&next) && tried >= 1.0 {
                 let mut part = next;
@@ -653,7 +695,7 @@ impl<'a> SpanningProblem<'a> {
         while let Some((fraction, part)) = held.pop() {
             let refined = self.moved(&part, DVec3::ZERO, true, solves, exec)?;
             if refined.run.stop_reason == StopReason::Deadline {
-                return Ok(LargestGap::NotFound);
+                return Err(late());
             }
             if spans(&refined) {
                 found = Some((fraction, refined));
@@ -669,7 +711,7 @@ impl<'a> SpanningProblem<'a> {
             let tried = 0.5 * (fraction + above);
             let next = self.moved(&part, gap * (tried - fraction), true, solves, exec)?;
             if next.run.stop_reason == StopReason::Deadline {
-                break;
+                return Err(late());
             }
             if spans(&next) {
                 (fraction, part) = (tried, next);
@@ -723,6 +765,10 @@ fn start_of(kind: InitialMeshKind) -> InitialMesh {
         InitialMeshKind::Disk | InitialMeshKind::Annulus | InitialMeshKind::SphereWithHoles => InitialMesh::Disk,
         InitialMeshKind::Barycentres | InitialMeshKind::Given => InitialMesh::Auto,
     }
+}
+
+fn late() -> Error {
+    Error::Interrupted(Interruption::DeadlinePassed)
 }
 
 /// Moves the second of a film's two boundaries by `shift`. An interior vertex at the distances d and e from the first

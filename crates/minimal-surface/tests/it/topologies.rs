@@ -2,7 +2,7 @@
 //! span the boundaries.
 
 use plateau_equilibrium::form_finding::StopReason;
-use plateau_mesh::{DVec3, Error, Execution, Progress, Signal};
+use plateau_mesh::{DVec3, Error, Execution, Interruption, Progress, Signal};
 use plateau_minimal_surface::{
     BoundarySampling, FreeTopology, InitialMesh, LinearSolver, Method, MinimalSurface, Newton, Options,
     PinkallPolthier, Resolution, SpanningComparison, TopologyRule, solve,
@@ -294,16 +294,22 @@ fn seven_boundaries_are_too_many_to_compare() {
     assert!(matches!(refused, Error::Input(errors) if errors[0].place.to_string() == "/topology"));
 }
 
-#[test]
-fn a_deadline_in_the_middle_gives_the_discs() {
-    // The two discs are the first two thirds of the work, and the connected film is the rest.
+/// Solves two rings with a deadline that passes as soon as the progress exceeds `fraction`.
+fn cut_short(triangles: usize, fraction: f64) -> MinimalSurface {
     let late = Cell::new(false);
     let signal = || if late.get() { Signal::Deadline } else { Signal::Continue };
-    let report = |progress: Progress| late.set(late.get() || progress.fraction > 0.61);
-    let options = by_topology(TopologyRule::Best, 1200);
+    let report = |progress: Progress| late.set(late.get() || progress.fraction > fraction);
+    let options = by_topology(TopologyRule::Best, triangles);
     let surface = solve(&rings(&[0.0, 13.2]), &options, &Execution::new(&signal, &report)).unwrap();
     assert_eq!(surface.statistics.stop_reason.name(), "deadline");
     assert!((surface.statistics.area - TWO_DISCS).abs() < 1e-9);
+    surface
+}
+
+#[test]
+fn a_deadline_in_the_middle_gives_the_discs() {
+    // The two discs are the first two thirds of the work, and the connected film is the rest.
+    let surface = cut_short(1200, 0.61);
     // The search for crossings is left out after the deadline, so `films_cross` is `None`.
     let discs = &comparison(&surface).topologies[0];
     assert_eq!((discs.films.len(), discs.films_cross), (2, None));
@@ -312,12 +318,53 @@ fn a_deadline_in_the_middle_gives_the_discs() {
 #[test]
 fn a_deadline_at_the_full_size_leaves_the_coarse_discs() {
     // The topologies are compared in the first half of the work. The plane discs of the full size are the rest.
-    let late = Cell::new(false);
-    let signal = || if late.get() { Signal::Deadline } else { Signal::Continue };
-    let report = |progress: Progress| late.set(late.get() || progress.fraction > 0.5);
-    let options = by_topology(TopologyRule::Best, 9000);
-    let surface = solve(&rings(&[0.0, 13.2]), &options, &Execution::new(&signal, &report)).unwrap();
-    assert_eq!(surface.statistics.stop_reason.name(), "deadline");
-    assert!((surface.statistics.area - TWO_DISCS).abs() < 1e-9);
+    let surface = cut_short(9000, 0.5);
     assert!(surface.mesh.triangles.len() < 4000);
+}
+
+/// Solves two rings with a deadline that passes after `most` looks. Returns the result and the number of looks. No film
+/// spans these rings, and no cone separates them, so that all starts are tried.
+fn cut_after(topology: TopologyRule, most: usize) -> (Result<MinimalSurface, Error>, usize) {
+    let boundaries = [DVec3::ZERO, DVec3::new(8.0, 0.0, 12.0)].map(|centre| circle(16, 10.0, centre, DVec3::Z));
+    let looks = Cell::new(0);
+    let signal = || {
+        looks.set(looks.get() + 1);
+        if looks.get() > most { Signal::Deadline } else { Signal::Continue }
+    };
+    let result = solve(&boundaries, &by_topology(topology, 150), &Execution::new(&signal, &|_| {}));
+    (result, looks.get())
+}
+
+/// Symptom: if the deadline passed while further starts were tried or the largest gap was searched for, `best` reported
+/// that no connected film exists, with the reason `residual`, as if it had tried all of them.
+#[test]
+fn a_deadline_is_reported_if_the_comparison_is_cut_short() {
+    let known = |surface: &MinimalSurface| {
+        let comparison = comparison(surface);
+        (comparison.connected_film_exists, comparison.largest_gap_fraction)
+    };
+    let (full, looks) = cut_after(TopologyRule::Best, usize::MAX);
+    let full = full.unwrap();
+    assert!(!known(&full).0 && known(&full).1.is_some());
+    let mut cut = 0;
+    for most in (1..8).map(|part| part * looks / 8) {
+        let Ok(surface) = cut_after(TopologyRule::Best, most).0 else { continue };
+        let is_late = surface.statistics.stop_reason == StopReason::Deadline;
+        assert!(is_late || known(&surface) == known(&full), "{most} of {looks} looks: {:?}", known(&surface));
+        cut += u32::from(is_late);
+    }
+    assert!(cut > 3, "{cut}");
+}
+
+/// Symptom: `fixed` denied the film if the deadline passed while it looked for another start.
+#[test]
+fn a_deadline_is_no_proof_that_no_film_exists() {
+    let (full, looks) = cut_after(TopologyRule::Fixed, usize::MAX);
+    assert!(matches!(full, Err(Error::NoResult { .. })), "{full:?}");
+    for most in (1..8).map(|part| part * looks / 8) {
+        match cut_after(TopologyRule::Fixed, most).0 {
+            Ok(surface) => assert_eq!(surface.statistics.stop_reason, StopReason::Deadline),
+            Err(error) => assert_eq!(error, Error::Interrupted(Interruption::DeadlinePassed)),
+        }
+    }
 }
