@@ -453,6 +453,7 @@ fn no_solver_works_for_long_without_a_look_at_the_signal() {
 fn fixed_and_free_find_the_connected_film_that_best_finds() {
     let cases = [
         ("spiky_loops_fixed", 0.4906),
+        ("spiky_loops_fixed_2000", 4.096),
         ("spiky_loops_fixed_5000", 3.228),
         ("three_spiky_loops_fixed", 9.9329),
         ("loops_of_111_points_free", 1.8227),

@@ -11,7 +11,10 @@
 //!    because the mesh is a cone there, whatever its margin. The film is solved on the refined mesh, and step 1 starts
 //!    again.
 //! 4. If the solver finds no film on the refined mesh, the film has collapsed. If the mesh may not be refined any
-//!    further, the film exists if the radicand in step 1 is positive.
+//!    further, the film exists if the radicand in step 1 is positive. If the radicand is not positive and the margin of
+//!    the film is not small, the film whose edges are halved is solved with new triangles. The film exists if the margin
+//!    of that film is not small either and not far from its own. The margin in step 1 may be too small, because the
+//!    triangles in the spikes of a boundary are thin, and halving their edges leaves them thin.
 //! 5. On a mesh whose edges at a boundary are as long as the boundary is wide, the solver may find no film although one
 //!    exists. The initial mesh is then refined there, and solved again.
 
@@ -38,6 +41,8 @@ const BENT: f64 = 0.3;
 const COARSE_EDGE: f64 = 0.7;
 /// A mesh is fine enough if halving its edges leaves at least this fraction of the film's margin.
 const RESOLVED: f64 = 0.8;
+/// Least margin of a film, and of the film whose edges are halved, if the latter is solved with new triangles.
+pub(crate) const SAFE: f64 = 0.3;
 /// Turning of the normal along an edge (radians) at which the first refinement aims. Each further round halves it. A
 /// neck has about 2 π / 0.25 = 25 edges around it after the first round.
 const FIRST_TURNING: f64 = 0.25;
@@ -46,6 +51,9 @@ const FIRST_TURNING: f64 = 0.25;
 const LAST_TURNING: f64 = 0.06;
 /// Largest number of triangles that a refinement may make, unless twice the number of the film is more.
 const MOST_TRIANGLES: f64 = 40_000.0;
+
+/// Largest number of triangles of a film that is solved again with half as long edges.
+const MOST_HALVED: usize = 25_000;
 
 /// The result of the comparison of a stable film with a finer one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -150,6 +158,20 @@ pub(crate) fn compare(coarse: f64, fine: Option<f64>, halvings: u32) -> Look {
         return Look::Exists(limit.sqrt().min(fine));
     }
     Look::Unresolved((limit > 0.0).then(|| limit.sqrt()))
+}
+
+/// Does the last part of step 4 for the margin of a film and the margin of the film with half as long edges and new
+/// triangles. `finer` is `None` if there is no such film.
+pub(crate) fn confirm(margin: f64, finer: Option<f64>) -> Look {
+    let safe = finer.filter(|&finer| finer >= SAFE && finer >= RESOLVED * margin);
+    safe.map_or(Look::Unresolved(None), Look::Exists)
+}
+
+/// Returns for each vertex half the length of its longest edge with an end that can move. `None` if the film has more
+/// than [`MOST_HALVED`] triangles.
+pub(crate) fn halved_sizes(film: &Film) -> Option<Vec<f64>> {
+    let half = |length: f64| if length > 0.0 { 0.5 * length } else { f64::INFINITY };
+    (film.triangles().len() <= MOST_HALVED).then(|| longest_free_edges(film).into_iter().map(half).collect())
 }
 
 /// Returns the interior edges with an end that can move: both ends, the angle between the normals at the ends, and the

@@ -212,6 +212,11 @@ impl<'a> Solve<'a> {
                     (reason, converged) = self.converge_again(film)?;
                     continue;
                 }
+                let doubtful = look == Look::Unresolved(None) && may_refine;
+                let look = match own.filter(|&own| doubtful && own >= necks::SAFE) {
+                    Some(own) => necks::confirm(own, self.margin_of_finer(film)?),
+                    None => look,
+                };
                 return Ok(match look {
                     Look::Unresolved(None) if may_refine => (StopReason::Collapsed, None),
                     Look::Exists(margin) | Look::Unresolved(Some(margin)) => {
@@ -303,6 +308,25 @@ impl<'a> Solve<'a> {
             Look::Exists(margin) if !has_fine_ends(film) => Look::Unresolved(Some(margin)),
             look => look,
         })
+    }
+
+    /// Halves all edges of a copy of the film and solves the copy from step 1. Returns its margin, or `None` if it is not
+    /// a stable film or would have too many triangles. The film and the record stay as they are.
+    fn margin_of_finer(&mut self, film: &Film) -> Result<Option<f64>, Error> {
+        let sizes = necks::halved_sizes(film);
+        let finer = sizes.map_or(Ok(None), |sizes| self.refined(film, sizes))?;
+        let Some(mut finer) = finer else { return Ok(None) };
+        let (rows, iterations, limit) = (self.record.history.len(), self.record.iterations, self.limit);
+        let (_, converged) = self.converge_again(&mut finer)?;
+        let found = match converged {
+            Some((pattern, mut direct)) => self.stability(&finer, &pattern, &mut direct)?,
+            None => None,
+        };
+        self.record.history.truncate(rows);
+        (self.record.iterations, self.limit) = (iterations, limit);
+        let holds = |stability: &Stability| stability.stable == Some(true) && finer.flipped_triangles() == 0;
+        let found = found.filter(|(stability, ..)| holds(stability));
+        Ok(found.and_then(|(_, variation, _)| variation.margin).map(|margin| margin.value))
     }
 
     /// Calls [`converge`](Self::converge) after raising the limit, so that at least [`Self::solves_per_way`] solves are
