@@ -51,7 +51,6 @@ const FIRST_TURNING: f64 = 0.25;
 const LAST_TURNING: f64 = 0.06;
 /// Largest number of triangles that a refinement may make, unless twice the number of the film is more.
 const MOST_TRIANGLES: f64 = 40_000.0;
-
 /// Largest number of triangles of a film that is solved again with half as long edges.
 const MOST_HALVED: usize = 25_000;
 
