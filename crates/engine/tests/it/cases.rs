@@ -470,10 +470,10 @@ fn fixed_and_free_find_the_connected_film_that_best_finds() {
 fn best_finds_the_connected_film_that_fixed_finds() {
     // A strip of triangles between the two loops of the first case has the area 2.497, so that a connected film of less
     // area exists. The discs have 13.34. The films of the others are found on coarser meshes, and at the full size only
-    // from these. Their discs have 10.06 and 10.80 and cross.
+    // from these. Their discs have 10.06 and 10.80 and cross. The first tier leaves out the last case, which takes long.
     let cases =
         [("spiky_loops_that_cross_best", 2.195), ("spiky_loops_best_5000", 3.8555), ("spiky_loops_best_4000", 3.228)];
-    for (name, area) in cases {
+    for (name, area) in cases.into_iter().take(if crate::is_full() { 3 } else { 2 }) {
         let (statistics, warnings) = solved(name);
         let found = statistics["area"].as_f64().unwrap();
         assert!((found / area - 1.0).abs() < 1e-3, "{name}: {found} for {area}, {warnings:?}");
