@@ -169,7 +169,7 @@ fn solve_input(input: Input, options: &Options, exec: &Execution) -> Result<Mini
         match other_start(boundaries, options, &solved, exec) {
             Ok(Some(other)) => solved = other,
             Ok(None) => {}
-            // Another start may lead to a film, so that the failure of this one decides nothing.
+            // The deadline has ended the search. A start that was not tried may lead to a film.
             Err(Error::Interrupted(Interruption::DeadlinePassed)) => solved.run.stop_reason = StopReason::Deadline,
             Err(error) => return Err(error),
         }

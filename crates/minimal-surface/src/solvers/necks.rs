@@ -11,10 +11,10 @@
 //!    because the mesh is a cone there, whatever its margin. The film is solved on the refined mesh, and step 1 starts
 //!    again.
 //! 4. If the solver finds no film on the refined mesh, the film has collapsed. If the mesh may not be refined any
-//!    further, the film exists if the radicand in step 1 is positive. If the radicand is not positive and the margin of
-//!    the film is not small, the film whose edges are halved is solved with new triangles. The film exists if the margin
-//!    of that film is not small either and not far from its own. The margin in step 1 may be too small, because the
-//!    triangles in the spikes of a boundary are thin, and halving their edges leaves them thin.
+//!    further, the film exists if the radicand in step 1 is positive. If the radicand is not positive, but the margin
+//!    of the film is not small, a copy of the film with halved edges is solved with new triangles. The film exists if
+//!    the margin of this copy is nearly as large. The margin in step 1 may be too small, because the triangles in the
+//!    spikes of a boundary are thin, and halving their edges leaves them thin.
 //! 5. On a mesh whose edges at a boundary are as long as the boundary is wide, the solver may find no film although one
 //!    exists. The initial mesh is then refined there, and solved again.
 

@@ -310,20 +310,23 @@ impl<'a> Solve<'a> {
         })
     }
 
-    /// Halves all edges of a copy of the film and solves the copy from step 1. Returns its margin, or `None` if it is not
-    /// a stable film or would have too many triangles. The film and the record stay as they are.
+    /// Halves all edges of a copy of the film and solves the copy from step 1. Returns the margin of the copy. `None` if
+    /// the copy is no stable film, or if it would have too many triangles. The run does not report the copy.
     fn margin_of_finer(&mut self, film: &Film) -> Result<Option<f64>, Error> {
-        let sizes = necks::halved_sizes(film);
-        let finer = sizes.map_or(Ok(None), |sizes| self.refined(film, sizes))?;
-        let Some(mut finer) = finer else { return Ok(None) };
+        let Some(sizes) = necks::halved_sizes(film) else { return Ok(None) };
         let (rows, iterations, limit) = (self.record.history.len(), self.record.iterations, self.limit);
+        let (refined, edges_swapped) = (self.refined, self.edges_swapped);
+        let finer = self.refined(film, sizes)?;
+        self.refined = refined;
+        let Some(mut finer) = finer else { return Ok(None) };
         let (_, converged) = self.converge_again(&mut finer)?;
         let found = match converged {
             Some((pattern, mut direct)) => self.stability(&finer, &pattern, &mut direct)?,
             None => None,
         };
         self.record.history.truncate(rows);
-        (self.record.iterations, self.limit) = (iterations, limit);
+        (self.record.iterations, self.limit, self.edges_swapped) = (iterations, limit, edges_swapped);
+        self.unstable_mode = None;
         let holds = |stability: &Stability| stability.stable == Some(true) && finer.flipped_triangles() == 0;
         let found = found.filter(|(stability, ..)| holds(stability));
         Ok(found.and_then(|(_, variation, _)| variation.margin).map(|margin| margin.value))
